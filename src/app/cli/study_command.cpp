@@ -155,14 +155,8 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   studied.result = result;
   refuseNoResult(task, result);
   const int status = statusOf(report::reportStudy(result, task.study, out));
-  out.flush();
-  if (!draw(task, plotOf(task, result))) {
-    out << "  interrupted; only the tables were written" << std::endl;
-    studied.interrupted = true;
-    return interruptStatus();
-  }
-  studied.files.push_back(task.files.svg.string());
-  studied.files.push_back(task.files.png.string());
+  plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
+  for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   studied.files.push_back(task.files.json.string());
   system::writeFileAtomically(task.files.json, report::studyJson(studied) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
@@ -269,8 +263,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
 Runs each integrator with each number of substeps that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
 with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), DIR/NAME-study.svg,
-DIR/NAME-study.png and DIR/NAME-study.json. gnuplot draws the plots.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), the plot as DIR/NAME-study.png,
+.svg and .pdf, and DIR/NAME-study.json.
 
 Examples:
   rotatebook study scenes/studies/*.toml

@@ -33,7 +33,7 @@ struct Figure {
   std::string id;     ///< The scene's name; the section's anchor.
   std::string title;  ///< The scene's.
   /// The overview's picture, relative to the page.
-  std::string thumbnail;
+  std::string thumbnail{};
   Html badge{};    ///< The number of expectations met, unless all are.
   Html section{};  ///< The whole <section>.
   /// "out/a.gif isn't linked: WHY" for each file under the scene's name that isn't the scene's.

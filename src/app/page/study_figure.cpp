@@ -62,13 +62,12 @@ std::vector<Check> readChecks(const fs::path& file, const scene::Scene& scene) {
 Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
   const bool hasOrders = !scene.study->isOfTilts() && !scene.study->sweep;
-  for (const auto& file : {files.csv, files.svg, files.png, files.json})
-    requireFile(file, scene, "study");
+  for (const auto& file : {files.csv, files.json}) requireFile(file, scene, "study");
+  for (const auto& file : files.plots) requireFile(file, scene, "study");
   if (hasOrders) requireFile(files.orders, scene, "study");
   const std::vector<Check> checks = readChecks(files.json, scene);
 
-  const std::string svg = files.svg.filename().string();
-  Figure figure{FigureKind::Study, scene.name, scene.title, svg};
+  Figure figure{FigureKind::Study, scene.name, scene.title};
   figure.badge = unmetBadge(checks);
   Html links;
   const auto link = [&](const fs::path& file, const std::string& title) {

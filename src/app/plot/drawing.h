@@ -1,4 +1,5 @@
-// What plots are drawn with: lines, areas, letters and pictures, which become files of any format.
+// Lines, areas, letters and pictures of plots, which become files of any format. Inside the room
+// only.
 #pragma once
 
 #include <filesystem>

@@ -83,21 +83,6 @@ std::string checksumWithProgram(const std::string& settings) {
   return checksumOf(std::string(kVersion) + "\n" + system::buildId() + "\n" + settings);
 }
 
-/// Returns the motions of a scene alone.
-scene::Scene withoutPicture(const scene::Scene& scene) {
-  scene::Scene bare;
-  static_cast<scene::Motion&>(bare) = scene;
-  bare.clip = scene.clip;
-  bare.clip.width = bare.clip.height = scene::ClipSettings().height;
-  bare.panels = scene.panels;
-  bare.expectations.clear();
-  for (scene::Panel& panel : bare.panels) {
-    panel.label = "panel";
-    panel.expectations.clear();
-  }
-  return bare;
-}
-
 }  // namespace
 
 std::string sceneChecksum(const scene::Scene& scene) {
@@ -117,9 +102,7 @@ Entries fingerprint(const scene::Scene& scene, const Entries& textures, const Dr
 }
 
 std::string studySceneChecksum(const scene::Scene& scene) {
-  scene::Scene bare = withoutPicture(scene);
-  bare.study = scene.study;
-  return checksumOf(sceneText(bare));
+  return checksumOf(studyRunsText(scene));
 }
 
 std::string mapSceneChecksum(const scene::Scene& scene) {

@@ -11,9 +11,8 @@ namespace rotatebook::store {
 struct StudyFiles {
   std::filesystem::path csv;     ///< NAME-study.csv
   std::filesystem::path orders;  ///< NAME-study-orders.csv, only for studies of integrators
-  std::filesystem::path svg;     ///< NAME-study.svg
-  std::filesystem::path png;     ///< NAME-study.png
-  std::filesystem::path json;    ///< NAME-study.json
+  std::vector<std::filesystem::path> plots;  ///< NAME-study.png and others, plot::plotFiles()
+  std::filesystem::path json;                ///< NAME-study.json
 };
 
 /// Returns the paths of the study `name` in `folder`.

@@ -269,7 +269,7 @@ Flaws flawsIn(const std::vector<RecordedMoment>& moments, SpinSource source) {
   if (haveAttitudes) flaws.held = heldIn(moments, source == SpinSource::Given);
   Rows rows;
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    if (!std::ranges::binary_search(flaws.held, i)) rows.push_back(i);
+    if (!std::binary_search(flaws.held.begin(), flaws.held.end(), i)) rows.push_back(i);
   }
   Moments left;
   for (const std::size_t row : rows) left.push_back(moments[row]);
@@ -328,7 +328,7 @@ std::vector<RecordedMoment> withoutFlaws(const Flaws& flaws,
   auto dropped = flaws.dropped.begin();
   for (std::size_t i = 0; i < moments.size(); ++i) {
     const bool isStray = std::ranges::find(flaws.stray, i, &StrayRow::index) != flaws.stray.end();
-    if (isStray || std::ranges::binary_search(flaws.held, i)) continue;
+    if (isStray || std::binary_search(flaws.held.begin(), flaws.held.end(), i)) continue;
     const bool isAfter = dropped != flaws.dropped.end() && i > dropped->after;
     if (isAfter) later += (dropped++)->count * (moments[i].time - moments[i - 1].time);
     sound.push_back(moments[i]);

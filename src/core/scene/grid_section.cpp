@@ -122,16 +122,18 @@ std::vector<Expectation> expectedAt(const Scene& scene, std::size_t column, std:
 /// Makes a panel of each cell, row by row.
 void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const ValueReader& file,
                 Scene& scene) {
-  const TomlNode sections = motionPart(file);
+  const bool hasColumns = columns.varied.has_value();
+  const ReadGridAxis &inner = hasColumns ? columns : rows, &outer = hasColumns ? rows : columns;
   document::Problems problems;
-  for (std::size_t row = 0; row < rows.count(); ++row) {
-    for (std::size_t column = 0; column < columns.count(); ++column) {
+  for (std::size_t i = 0; i < outer.count(); ++i) {
+    TomlNode sections = motionPart(file);
+    problems.note([&] { putAt(sections, outer, i); });
+    const VariedMotions motions(sections, scene.simulation, *inner.varied, inner.path);
+    for (std::size_t j = 0; j < inner.count(); ++j) {
+      const std::size_t column = hasColumns ? j : i, row = hasColumns ? i : j;
       problems.note([&] {
-        TomlNode varied = sections;
-        putAt(varied, columns, column);
-        putAt(varied, rows, row);
         Panel& panel = scene.panels.emplace_back();
-        static_cast<Motion&>(panel) = motionFrom(varied, scene.simulation);
+        static_cast<Motion&>(panel) = motions.with(inner.varied->values[j]);
         panel.expectations = expectedAt(scene, column, row);
         panel.label =
             joined({labelAt(scene.grid->columns, column), labelAt(scene.grid->rows, row)});

@@ -97,12 +97,6 @@ const KeyRow* findKey(std::string_view key) {
   return nullptr;
 }
 
-std::string axisName(std::string_view key) {
-  const KeyRow* row = findKey(key);
-  const bool hasUnit = row != nullptr && !row->unit.empty();
-  return std::string(key) + (hasUnit ? "  [" + row->unit + "]" : "");
-}
-
 std::string reasonForNoChange(std::string_view key, std::span<const physics::Model> models) {
   const KeyRow* row = findKey(key);
   const auto changes = [row](physics::Model model) { return row->models.have(model); };

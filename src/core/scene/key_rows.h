@@ -56,6 +56,9 @@ struct ValueForm {
   double min = 0, max = 0;  ///< Of each number, in SI units; of a text's characters.
   std::optional<Dimension> dimension{};
   std::vector<std::string_view> choices{};
+  bool hasWholeParts = false;  ///< Of Type::Own: its numbers are integers.
+
+  bool isWhole() const { return type == Type::Integer || hasWholeParts; }
 };
 
 /// A key. Its texts are Markdown.
@@ -79,8 +82,6 @@ const std::vector<KeyRow>& allKeys();
 /// one that a part such as "initial.tilt.0" is of; null if there is none.
 const KeyRow* findKey(std::string_view key);
 
-/// Returns the name of an axis along which `key` varies: with the unit of its numbers, or a part's.
-std::string axisName(std::string_view key);
 /// Returns why another value of `key` changes no motion of `models`; empty if it changes one.
 std::string reasonForNoChange(std::string_view key, std::span<const physics::Model> models);
 

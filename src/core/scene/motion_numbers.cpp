@@ -10,14 +10,15 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "document/toml_tree.h"
+#include "scene/key_rows.h"
 #include "scene/keys/keys.h"
+#include "scene/varied_motion.h"
 
 namespace rotatebook::scene {
 namespace {
 
 using document::TomlNode;
 using physics::MotionSettings;
-using SetNumber = std::function<void(MotionSettings&, double, bool)>;
 
 /// A key in its parts: "initial", "tilt" and "0" of "initial.tilt.0".
 struct Path {
@@ -65,16 +66,15 @@ void requireParts(const Key<S>& key, const S& base, const Path& path, const Plac
                                        ", which the scene doesn't state; state it");
 }
 
-/// Returns what puts a number into the key of an S, which `part` finds in a motion.
+/// Returns what reads a value into the key of an S, which `part` finds in a motion.
 template <typename S, typename Part>
-SetNumber setterIn(const Keys<S>& keys, Part part, const MotionSettings& base, const Path& path,
-                   const Place& place) {
+ReadMotionKey readerIn(const Keys<S>& keys, Part part, const MotionSettings& base, const Path& path,
+                       const Place& place) {
   const Key<S>& key = keyNamed(keys, path, place);
   MotionSettings copy = base;
   if (!path.within.empty()) requireParts(key, part(copy), path, place);
-  return [=, &key, name = path.section + "." + path.name, location = place.location](
-             MotionSettings& motion, double number, bool isWhole) {
-    const TomlNode node = numberNode(number, isWhole, location);
+  return [=, &key, name = path.section + "." + path.name](MotionSettings& motion,
+                                                          const TomlNode& node) {
     const ValueReader value(node, name);
     if (path.within.empty()) return key.read(value, part(motion));
     key.readPart(value, path.within, part(motion));
@@ -92,27 +92,31 @@ std::size_t nudgeOf(const Path& path, const MotionSettings& base, const Place& p
                                        " nudges by its number, from 0");
 }
 
-SetNumber setterFor(const MotionSettings& base, const Place& place) {
+}  // namespace
+
+ReadMotionKey readerOf(const MotionSettings& base, const std::string& motionKey,
+                       const std::string& location) {
+  const Place place{motionKey, location};
   const Path path = pathOf(place.key);
   if (path.section == "body") {
-    return setterIn(
+    return readerIn(
         bodyKeys(), [](MotionSettings& motion) -> MotionSettings& { return motion; }, base, path,
         place);
   }
   if (path.section == "simulation") {
-    return setterIn(
+    return readerIn(
         simulationKeys(), [](MotionSettings & motion) -> auto& { return motion.simulation; }, base,
         path, place);
   }
   if (path.section == "initial") {
-    return setterIn(
+    return readerIn(
         initialKeys(), [](MotionSettings & motion) -> auto& { return motion.initial; }, base, path,
         place);
   }
   if (path.section == "nudge") {
     const std::size_t index = nudgeOf(path, base, place);
     Path within = pathOf("nudge." + path.within);
-    return setterIn(
+    return readerIn(
         nudgeKeys(), [index](MotionSettings & motion) -> auto& { return motion.nudges[index]; },
         base, within, place);
   }
@@ -122,18 +126,16 @@ SetNumber setterFor(const MotionSettings& base, const Place& place) {
                                        didYouMean(path.section, kSections));
 }
 
-}  // namespace
-
 MotionNumber::MotionNumber(const MotionSettings& base, const std::string& key, double example,
-                           const std::string& location)
-    : set_(setterFor(base, {key, location})) {
+                           const std::string& location) {
+  const KeyRow* row = findKey(key);
+  isWhole_ = row != nullptr && row->form.isWhole();
+  set_ = [read = readerOf(base, key, location), location, isWhole = isWhole_](
+             MotionSettings& motion, double number) {
+    read(motion, numberNode(number, isWhole, location));
+  };
   MotionSettings motion = base;
-  try {
-    set_(motion, example, false);
-  } catch (const InputError&) {
-    isWhole_ = true;
-    set_(motion, example, true);
-  }
+  set_(motion, example);
 }
 
 }  // namespace rotatebook::scene

@@ -19,11 +19,11 @@ class MotionNumber {
 
   /// Gives it another value, rounded if it must be whole. Throws InputError likewise if the value
   /// isn't allowed.
-  void set(physics::MotionSettings& motion, double value) const { set_(motion, value, isWhole_); }
+  void set(physics::MotionSettings& motion, double value) const { set_(motion, value); }
   bool isWhole() const { return isWhole_; }
 
  private:
-  std::function<void(physics::MotionSettings&, double, bool isWhole)> set_;
+  std::function<void(physics::MotionSettings&, double)> set_;
   bool isWhole_ = false;
 };
 

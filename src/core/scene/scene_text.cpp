@@ -45,6 +45,10 @@ std::string motionText(const Scene& scene) {
   return clipText(scene, Printed::OfMotion);
 }
 
+std::string studyRunsText(const Scene& scene) {
+  return motionText(scene) + studyText(scene);
+}
+
 std::string mapRunsText(Scene scene) {
   for (MapAxis* axis : {&scene.map->x, &scene.map->y}) axis->label.clear();
   return motionText(scene) + mapText(scene, Printed::OfMotion);

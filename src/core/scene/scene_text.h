@@ -41,6 +41,8 @@ std::string sceneText(const Scene& scene);
 /// Returns the part of that text that the clip's motions depend on: all keys but those whose rows
 /// say that they affect pictures or texts alone. The same text is of the same motions.
 std::string motionText(const Scene& scene);
+/// Returns likewise what the runs of the scene's study, and what is expected of them, depend on.
+std::string studyRunsText(const Scene& scene);
 /// Returns likewise what the runs of the scene's map depend on; it must have one.
 std::string mapRunsText(Scene scene);
 

@@ -17,22 +17,16 @@ namespace {
 
 using document::TomlNode;
 
-/// Reads the motion of a run from its `sections`. The time from a sample to the next is that of the
-/// study, or the stated one, or else the scene's.
-physics::MotionSettings runFrom(const TomlNode& sections, const Scene& scene) {
-  physics::MotionSettings motion = motionFrom(sections, scene.simulation);
-  sampleAsAsked(*scene.study, motion);
-  return motion;
-}
-
 void addCurve(const TomlNode& sections, const VariedKey& over, const std::string& curve,
               Scene& scene) {
+  const std::string path = over.key.text(kLongestPath);
+  const VariedMotions motions(sections, scene.simulation, over, path);
   document::Problems problems;
   for (const StatedValue& value : over.values) {
     problems.note([&] {
-      TomlNode varied = sections;
-      put(varied, over, value);
-      scene.study->sweep->runs.push_back({value.value.label, curve, runFrom(varied, scene)});
+      physics::MotionSettings motion = motions.with(value);
+      sampleAsAsked(*scene.study, motion);
+      scene.study->sweep->runs.push_back({value.value.label, curve, std::move(motion)});
     });
   }
   problems.throwIfAny();
@@ -60,7 +54,7 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
   for (const StatedValue& value : second.values) {
     problems.note([&] {
       TomlNode varied = sections;
-      put(varied, second, value);
+      put(varied, second.key.text(kLongestPath), second, value);
       addCurve(varied, over, value.value.label, scene);
     });
   }

@@ -72,8 +72,31 @@ void put(TomlNode& sections, const std::string& path, const VariedKey& key,
   putValue(sections, path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
-void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
-  put(sections, key.key.text(kLongestPath), key, value);
+VariedMotions::VariedMotions(const TomlNode& sections, const physics::SimulationSettings& clock,
+                             const VariedKey& key, const std::string& path)
+    : sections_(sections), clock_(clock), key_(key), path_(path) {
+  if (!path.starts_with("initial.") || findKey(path) == nullptr) return;
+  // Without a motion of its own, whatever is wrong is found with the first value
+  try {
+    base_ = motionFrom(sections, clock);
+  } catch (const InputError&) {
+    return;
+  }
+  // The axis of such a spin follows from the body
+  if (base_->initial.about) base_.reset();
+}
+
+Motion VariedMotions::with(const StatedValue& value) const {
+  const ValueReader reader(value.node, path_);
+  if (base_ && !std::holds_alternative<TomlNode::Table>(value.node.value)) {
+    Motion motion = *base_;
+    readerOf(motion, path_, key_.key.node().location)(motion, value.node);
+    failAtValue(reader, [&] { motion.initial.tilted(); });
+    return motion;
+  }
+  TomlNode varied = sections_;
+  put(varied, path_, key_, value);
+  return motionFrom(varied, clock_);
 }
 
 Motion motionFrom(const TomlNode& sections, const physics::SimulationSettings& clock) {

@@ -1,6 +1,8 @@
 // Motions of a scene with other values of some keys. Inside the room only.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,7 +37,35 @@ document::TomlNode motionPart(const document::ValueReader& file);
 /// InputError if the path leads nowhere.
 void put(document::TomlNode& sections, const std::string& path, const VariedKey& key,
          const StatedValue& value);
-void put(document::TomlNode& sections, const VariedKey& key, const StatedValue& value);
+
+/// Reads a value of a key of [body], [simulation], [initial] or [[nudge]] into a motion. Throws
+/// InputError.
+using ReadMotionKey = std::function<void(physics::MotionSettings&, const document::TomlNode&)>;
+/// Returns what reads values of `key`, such as "body.mass", or of a part, such as "initial.tilt.0",
+/// which `base` states. Throws InputError at `location` if there is no such key or part.
+ReadMotionKey readerOf(const physics::MotionSettings& base, const std::string& key,
+                       const std::string& location);
+
+/// Motions that differ in the values of one key.
+class VariedMotions {
+ public:
+  /// Takes what motionFrom() takes, without the key's values, and the key's path, as put() does;
+  /// they must outlive this.
+  VariedMotions(const document::TomlNode& sections, const physics::SimulationSettings& clock,
+                const VariedKey& key, const std::string& path);
+
+  /// Returns the motion with that value of the key. Throws InputError.
+  Motion with(const StatedValue& value) const;
+
+ private:
+  const document::TomlNode& sections_;
+  const physics::SimulationSettings& clock_;
+  const VariedKey& key_;
+  const std::string& path_;
+  /// The motion without the values, where nothing but its start follows from them: its body, and
+  /// what holds its particles together, is settled once.
+  std::optional<Motion> base_{};
+};
 
 /// Reads and checks a motion with the time of `clock`, as takeClock() takes it, unless
 /// `sections` state another. Throws

@@ -1,4 +1,4 @@
-// Processes that this one starts and waits for.
+// Processes that this one starts and waits for. Inside the room only.
 #pragma once
 
 #include <chrono>

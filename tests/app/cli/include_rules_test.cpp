@@ -40,7 +40,7 @@ const std::map<std::string, Room> kRooms{
     {"physics", {"core", {"base", "rigid", "recording"}, {"Eigen/"}}},
     {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "body", "physics"}, {"Eigen/"}, {"rigid"}}},
-    {"document", {"core", {"base"}, {"toml++/"}}},
+    {"document", {"core", {"base"}, {"nlohmann/", "toml++/"}}},
     {"scene", {"core", {"base", "rigid", "recording", "body", "physics", "document"}, {"Eigen/"}}},
     {"timeline",
      {"core", {"base", "rigid", "recording", "physics", "geometry", "scene"}, {"Eigen/"}}},

@@ -142,12 +142,13 @@ TEST_F(Json, OfStudyHasOrdersAndFiles) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "interrupted studies");
-  EXPECT_THAT(result.output,
-              AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("kind": "integrators", )"),
-                    HasSubstr(R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
-                              R"("out/b-study.svg", "out/b-study.png", "out/b-study.json"], )"
-                              R"("runs": 3, "failures": [])"),
-                    HasSubstr(R"("orders": [{"integrator": "rk4", "order": 3.9)")));
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr(R"("title": "Größe \"x\" \\")"), HasSubstr(R"("kind": "integrators", )"),
+            HasSubstr(R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
+                      R"("out/b-study.png", "out/b-study.svg", "out/b-study.pdf", )"
+                      R"("out/b-study.json"], "runs": 3, "failures": [])"),
+            HasSubstr(R"("orders": [{"integrator": "rk4", "order": 3.9)")));
 }
 
 TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {

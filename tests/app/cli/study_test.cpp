@@ -53,10 +53,12 @@ TEST_F(StudyCommand, WritesTablesAndPlotsWithoutGraphics) {
   EXPECT_THAT(result.output,
               AllOf(StartsWith("tiny: Tiny\n  rk4              "), HasSubstr("\n  splitting  "),
                     EndsWith("\n  wrote out/tiny-study.csv, out/tiny-study-orders.csv, "
-                             "out/tiny-study.svg, out/tiny-study.png and out/tiny-study.json\n")));
+                             "out/tiny-study.png, out/tiny-study.svg, out/tiny-study.pdf and "
+                             "out/tiny-study.json\n")));
   EXPECT_THAT(files(),
               ElementsAre("flips.toml", "out/", "out/tiny-study-orders.csv", "out/tiny-study.csv",
-                          "out/tiny-study.json", "out/tiny-study.png", "out/tiny-study.svg"));
+                          "out/tiny-study.json", "out/tiny-study.pdf", "out/tiny-study.png",
+                          "out/tiny-study.svg"));
   EXPECT_EQ(countOf("\n", read("out/tiny-study.csv")), 1 + 2 * 4);
   EXPECT_EQ(countOf("\n", read("out/tiny-study-orders.csv")), 1 + 2);
 }
@@ -67,10 +69,10 @@ TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("\n  tilt 0.1 "),
                     HasSubstr("\n  met      flip_law: expected at most 0.001; measured 2.4"),
-                    EndsWith("\n  wrote x/flips-study.csv, x/flips-study.svg, "
-                             "x/flips-study.png and x/flips-study.json\n")));
+                    EndsWith("\n  wrote x/flips-study.csv, x/flips-study.png, x/flips-study.svg, "
+                             "x/flips-study.pdf and x/flips-study.json\n")));
   EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.json",
-                                   "x/flips-study.png", "x/flips-study.svg"));
+                                   "x/flips-study.pdf", "x/flips-study.png", "x/flips-study.svg"));
 }
 
 TEST_F(StudyCommand, StudiesSeveralScenes) {

@@ -293,7 +293,7 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
 
 /// Writes the files that `rotatebook study` leaves, with this result.
 void makeStudy(const fs::path& folder, const std::string& json) {
-  for (const char* ending : {".svg", ".png", ".csv", "-orders.csv"})
+  for (const char* ending : {".png", ".svg", ".pdf", ".csv", "-orders.csv"})
     touch(folder / (std::string("small-study") + ending));
   system::writeFileAtomically(folder / "small-study.json", json);
 }

@@ -14,8 +14,8 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
-#include "plot/map_colours.h"
 #include "pipeline/small_clip.h"
+#include "plot/map_colours.h"
 #include "scene/scene_text.h"
 #include "store/map_tiles.h"
 #include "study/map_files.h"
@@ -202,7 +202,7 @@ TEST_F(MakeMap, WritesWhatItSays) {
   const image::Image plain = image::readPng(files().plain);
   EXPECT_EQ(plain, plot::plainMap(made.result, *scene.map));
   EXPECT_EQ(plain.width(), 100);
-  EXPECT_GT(image::readPng(files().png).width(), 900);
+  EXPECT_GT(image::readPng(files().png()).width(), 900);
   EXPECT_EQ(study::checksumsIn(bytesOf(files().json)).fingerprint, store::mapFingerprint(scene));
 }
 

@@ -117,7 +117,7 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
   studied.study.flipLaw = failed.study.flipLaw = scene::Bounds{{}, 0.1};
   studied.result =
       study::TiltStudy{{{0.1, {}, 7, 2.0, 2.5}, {1e-8, {RunEnd::Kind::FewFlips, 12}, 1}}};
-  failed.error = "no gnuplot";
+  failed.error = "no disk";
   std::ostringstream out;
   reportStudiesAsJson({studied, failed}, true, out);
   EXPECT_EQ(
@@ -131,7 +131,7 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
       R"("meaning": "largest deviation from the interval that the law gives, as a share of it", )"
       R"("min": null, "max": 0.1, "measured": null, "met": false}]}, {"name": "s", )"
       R"("title": "\"S\"", "scene_xxh128": "5ce", "kind": "tilts", "interrupted": false, )"
-      R"("error": "no gnuplot", )"
+      R"("error": "no disk", )"
       R"("files": [], "runs": 0, "failures": [], "orders": [], "tilts": [], )"
       R"("sweep": [], "expectations": []}]})"
       "\n");

@@ -7,9 +7,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/version.h"
 #include "image/png_file.h"
+#include "picture/texture_files.h"
 #include "pipeline/small_clip.h"
 #include "scene/scene_text.h"
 #include "store/encoding.h"
@@ -197,15 +199,24 @@ TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {
 
 // The clip's folder may hold another file of a texture's name.
 TEST(SceneRecord, IsOfTheFilesWithItsChecksums) {
-  const fs::path folder = emptyFolder(), out = folder / "out";
+  const fs::path folder = emptyFolder(), out = folder / "out", clip = out / "small.mp4";
+  fs::create_directories(out);
   scene::Scene scene = smallScene({"book.front=cover.png"});
   scene.folder = folder;
   image::writePng(folder / "cover.png", image::Image(8, 12, image::PixelFormat::Rgb8).view());
-  pipeline::testing::render(scene, pipeline::testing::pngAndMp4(out));
   image::writePng(out / "cover.png", image::Image(9, 12, image::PixelFormat::Rgb8).view());
-  EXPECT_EQ(readRecordedClip(out / "small.mp4", {}).record.scene.folder, out / "..");
+  Provenance provenance = kProvenance;
+  const picture::TextureFiles textures = picture::readTextures(scene);
+  provenance.textures = "book.front " + checksumOf(textures.at("book.front"));
+  {
+    video::VideoWriter writer(video::VideoFormat::Mp4, clip,
+                              videoSettings(scene, sceneRecord(scene, provenance)));
+    writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
+    writer.finish();
+  }
+  EXPECT_EQ(readRecordedClip(clip, {}).record.scene.folder, out / "..");
   fs::remove(folder / "cover.png");
-  EXPECT_EQ(readRecordedClip(out / "small.mp4", {}).record.scene.folder, out);
+  EXPECT_EQ(readRecordedClip(clip, {}).record.scene.folder, out);
 }
 
 TEST(SceneRecord, IsOfItsSceneAlone) {

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/grid_settings.h"
 #include "scene/parse.h"
 
 namespace rotatebook::scene {
@@ -100,11 +101,11 @@ TEST(KeyRows, AreFoundByKeysAndTheirParts) {
 }
 
 TEST(KeyRows, NameAxesWithTheirUnits) {
-  EXPECT_EQ(axisName("body.size.0"), "body.size.0  [m]");
-  EXPECT_EQ(axisName("nudge.0.angular_velocity.1"), "nudge.0.angular_velocity.1  [rad/s]");
-  EXPECT_EQ(axisName("initial.angular_momentum.2"), "initial.angular_momentum.2  [kg m²/s]");
-  EXPECT_EQ(axisName("simulation.stiffness"), "simulation.stiffness  [N/m]");
-  EXPECT_EQ(axisName("simulation.substeps"), "simulation.substeps");
+  EXPECT_EQ(keyWithUnit("body.size.0"), "body.size.0  [m]");
+  EXPECT_EQ(keyWithUnit("nudge.0.angular_velocity.1"), "nudge.0.angular_velocity.1  [rad/s]");
+  EXPECT_EQ(keyWithUnit("initial.angular_momentum.2"), "initial.angular_momentum.2  [kg m²/s]");
+  EXPECT_EQ(keyWithUnit("simulation.stiffness"), "simulation.stiffness  [N/m]");
+  EXPECT_EQ(keyWithUnit("simulation.substeps"), "simulation.substeps");
 }
 
 TEST(KeyRows, SayWhatChangesNoMotion) {

@@ -49,7 +49,7 @@ TEST(Solid, RefusesWhatTakesAwayTooMuch) {
 
 TEST(Solid, TurnsBeforeItMoves) {
   BodyPart part = box({0.2, 0.3, 0.1}, 500, {1, 2, 3});
-  part.turn = Turn{kPi.high / 2, 2};
+  part.turn = physics::Tilt{kPi.high / 2, 2};
   const auto turned = numbersOf(solidOf({part}));
   const auto straight = numbersOf(solidOf({box({0.2, 0.3, 0.1}, 500, {0, 0, 0})}));
   EXPECT_NEAR(turned.size.x(), 0.3, 1e-15);  // measured 4e-16

@@ -24,10 +24,10 @@ using document::tomlNumber;
 using document::tomlString;
 using document::ValueReader;
 
-/// Reads a number into a part of a value, such as "0" of a vector. Throws InputError if there is no
-/// such part, or the whole isn't allowed then.
+/// Reads a part of a value, such as "0" of a vector. Throws InputError if there is no such part, or
+/// the whole isn't allowed then.
 template <typename T>
-using ReadPart = std::function<void(const ValueReader& number, std::string_view part, T& into)>;
+using ReadPart = std::function<void(const ValueReader&, std::string_view part, T& into)>;
 
 /// The functions that read and print values of one kind, and what is known of them.
 template <typename T>

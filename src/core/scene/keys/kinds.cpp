@@ -132,8 +132,13 @@ Kind<physics::Tilt> angleAboutAxis() {
           "",
           {.dimension = Dimension::Angle},
           [=](const ValueReader& number, std::string_view part, physics::Tilt& tilt) {
-            if (part != "0") number.mismatch(kExpected);
-            tilt.angle = number.number(kAngles);
+            if (part == "0") {
+              tilt.angle = number.number(kAngles);
+            } else if (part == "1") {
+              tilt.axis = choiceFrom(number, kAxes);
+            } else {
+              number.mismatch(kExpected);
+            }
           }};
 }
 

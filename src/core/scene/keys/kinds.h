@@ -52,7 +52,7 @@ Kind<Eigen::Vector3d> vector(const NumberRange& range);
 Kind<Eigen::Vector3d> direction();
 
 Kind<Rgb> colour();
-/// An angle and the axis that it is about, or toward; the angle is its part "0".
+/// An angle and the axis that it is about, or toward.
 Kind<physics::Tilt> angleAboutAxis();
 
 /// Returns "[1.0, 2.0, 3.0]".

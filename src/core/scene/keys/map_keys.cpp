@@ -338,7 +338,7 @@ const Keys<MapSettings>& mapKeys() {
                            {}},
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
-           .byDefault = "`{ palette = \"ember\", scale = \"linear\" }`",
+           .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`",
            .affects = Affects::Picture}),
       key("marks", &MapSettings::marks, marks(),
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",

@@ -65,7 +65,7 @@ Kind<int> everyStep() {
           },
           kExpectedEvery,
           "",
-          {},
+          {.hasWholeParts = true},
           [](const ValueReader& steps, std::string_view part, int& every) {
             if (part != "every") steps.mismatch(kExpectedEvery);
             every = steps.integer(1, kMaxInterval);

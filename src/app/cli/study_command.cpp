@@ -144,6 +144,15 @@ Tables tablesOf(const Task& task, const study::SweepStudy& result) {
   return {{task.files.csv, sweepCsv(result, *task.study.sweep)}};
 }
 
+/// Returns `studied` with the names of its files alone, so that a folder can be moved, and that the
+/// same study leaves the same bytes in any.
+StudiedScene besideItsFiles(StudiedScene studied) {
+  for (std::string& file : studied.files) {
+    file = std::filesystem::path(file).filename().string();
+  }
+  return studied;
+}
+
 /// Writes and reports the results, which `studied` then holds.
 template <typename Study>
 int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
@@ -158,7 +167,8 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
   for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   studied.files.push_back(task.files.json.string());
-  system::writeFileAtomically(task.files.json, report::studyJson(studied) + '\n');
+  system::writeFileAtomically(task.files.json,
+                              report::studyJson(besideItsFiles(studied)) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }

@@ -75,6 +75,16 @@ TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
                                    "x/flips-study.pdf", "x/flips-study.png", "x/flips-study.svg"));
 }
 
+TEST_F(StudyCommand, LeavesTheSameBytesInAnyFolder) {
+  for (const char* folder : {"x", "x/y"}) {
+    ASSERT_EQ(run({"study", "flips.toml", "-o", folder}).status, 0);
+  }
+  for (const char* ending : {"csv", "json", "pdf", "png", "svg"}) {
+    const std::string name = std::string("flips-study.") + ending;
+    EXPECT_EQ(read("x/y/" + name), read("x/" + name)) << name;
+  }
+}
+
 TEST_F(StudyCommand, StudiesSeveralScenes) {
   EXPECT_EQ(run({"study", "flips.toml", "tiny.toml", "--set", "clip.duration=9", "--set",
                  "study.flip_law={max=1}", "--set", "study.tilts=[0.1]", "--set",

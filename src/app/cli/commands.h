@@ -22,20 +22,16 @@ void addSheetCommand(CLI::App& program, Action& action);
 void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
 void addVerifyCommand(CLI::App& program, Action& action);
-void addRerunCommand(CLI::App& program, Action& action);
 void addAssembleCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
 void addDoctorCommand(CLI::App& program, Action& action);
 void addCheckCommand(CLI::App& program, Action& action);
-void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);
 void addNewCommand(CLI::App& program, Action& action);
-void addSpinCommand(CLI::App& program, Action& action);
-void addBodyCommand(CLI::App& program, Action& action);
+void addInfoCommand(CLI::App& program, Action& action);
 void addJudgeCommand(CLI::App& program, Action& action);
 void addTossCommand(CLI::App& program, Action& action);
 void addHelpCommand(CLI::App& program, Action& action);
-void addVersionCommand(CLI::App& program, Action& action);
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";

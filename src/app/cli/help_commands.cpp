@@ -3,7 +3,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/version.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/usage.h"
@@ -33,17 +32,6 @@ void addHelpCommand(CLI::App& program, Action& action) {
   command->callback([name, &program, &action] {
     action = [name, &program] {
       std::cout << helpOf(program, *name);
-      return kDone;
-    };
-  });
-}
-
-void addVersionCommand(CLI::App& program, Action& action) {
-  CLI::App* command = program.add_subcommand("version", "Print the version");
-  command->footer("\nExample:\n  rotatebook version");
-  command->callback([&program, &action] {
-    action = [&program] {
-      std::cout << program.version() << '\n';
       return kDone;
     };
   });

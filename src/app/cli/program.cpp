@@ -41,8 +41,7 @@ void addCommands(CLI::App& program, Action& action) {
   addMapCommand(program, action);
   addSubmitCommand(program, action);
   addStatusCommand(program, action);
-  addSpinCommand(program, action);
-  addBodyCommand(program, action);
+  addInfoCommand(program, action);
   addJudgeCommand(program, action);
   addTossCommand(program, action);
   addPageCommand(program, action);
@@ -52,15 +51,12 @@ void addCommands(CLI::App& program, Action& action) {
   addDoctorCommand(program, action);
   addNewCommand(program, action);
   addCheckCommand(program, action);
-  addSceneCommand(program, action);
   addListCommand(program, action);
   addAssembleCommand(program, action);
   addVerifyCommand(program, action);
-  addRerunCommand(program, action);
   addDiffCommand(program, action);
   addAfterCrashCommand(program, action);
   addHelpCommand(program, action);
-  addVersionCommand(program, action);
 }
 
 /// Returns `status`; throws MachineError if what was printed got lost.
@@ -122,11 +118,10 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  for (const char* one :
-       {"scene", "list", "spin", "body", "judge", "toss", "help", "version", "status"}) {
+  for (const char* one : {"list", "info", "judge", "toss", "help", "status"}) {
     if (name == one) return true;
   }
-  for (const char* one : {"--json", "--plan", "--dry-run"}) {
+  for (const char* one : {"--json", "--plan", "--dry-run", "--print"}) {
     const CLI::Option* option = command.get_option_no_throw(one);
     if (option != nullptr && option->count() > 0) return true;
   }

@@ -49,7 +49,7 @@ int statusOfAll(const std::vector<report::SceneFile>& files) {
 struct CheckArguments {
   std::vector<std::string> paths;
   SceneOptions sceneOptions;
-  bool json = false;
+  bool json = false, print = false;
 };
 
 int checkScenes(const CheckArguments& arguments) {
@@ -67,7 +67,7 @@ int checkScenes(const CheckArguments& arguments) {
     if (!file.errors.empty()) continue;
     if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
     if (arguments.json) continue;
-    std::cout << oneLine(path) << ": ok\n";
+    std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(path) + ": ok\n");
   }
   if (arguments.json) report::reportChecksAsJson(files, std::cout);
   return statusOfAll(files);
@@ -105,28 +105,18 @@ void addCheckCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = program.add_subcommand("check", "Validate scenes; writes nothing");
   command->add_option("FILE", arguments->paths, "Scene files")->required();
-  command->add_flag("--json", arguments->json,
-                    "Print one JSON object: each file's errors, notes and number of frames");
+  CLI::Option* json =
+      command->add_flag("--json", arguments->json,
+                        "Print one JSON object: each file's errors, notes and number of frames");
+  command->add_flag("--print", arguments->print, "Print the scenes with every default explicit")
+      ->excludes(json);
   arguments->sceneOptions.addTo(*command);
-  command->footer("\nExample:\n  rotatebook check scenes/*.toml");
+  command->footer(R"(
+Examples:
+  rotatebook check scenes/*.toml
+  rotatebook check scenes/starter.toml --print > full.toml)");
   command->callback(
       [arguments, &action] { action = [arguments] { return checkScenes(*arguments); }; });
-}
-
-void addSceneCommand(CLI::App& program, Action& action) {
-  auto path = std::make_shared<std::string>();
-  auto options = std::make_shared<SceneOptions>();
-  CLI::App* command = program.add_subcommand("scene", "Show a scene with every default explicit");
-  command->add_option("FILE", *path, "Scene file")->required();
-  command->add_flag("--print")->group("");  // Changes nothing; older scripts have it.
-  options->addTo(*command);
-  command->footer("\nExample:\n  rotatebook scene scenes/starter.toml > full.toml");
-  command->callback([path, options, &action] {
-    action = [path, options] {
-      std::cout << scene::sceneText(options->read(*path));
-      return kDone;
-    };
-  });
 }
 
 void addListCommand(CLI::App& program, Action& action) {

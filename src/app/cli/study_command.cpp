@@ -167,8 +167,7 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
   for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   studied.files.push_back(task.files.json.string());
-  system::writeFileAtomically(task.files.json,
-                              report::studyJson(besideItsFiles(studied)) + '\n');
+  system::writeFileAtomically(task.files.json, report::studyJson(besideItsFiles(studied)) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }

@@ -55,6 +55,21 @@ double growthOf(const Vector3d& moments) {
                    (moments[0] * moments[2]));
 }
 
+/// Returns "x" or "(0.8, 0.6, 0)", for a unit vector.
+std::string axisText(const Vector3d& axis) {
+  constexpr double kRounding = 1e-12;
+  for (int i = 0; i < 3; ++i)
+    if (std::fabs(axis[i]) > 1 - kRounding) return {"xyz"[i]};
+  return bodyVectorText(axis, 1, 4);
+}
+
+std::string momentsText(const SortedAxes& sorted) {
+  return joinedOf(std::array{0, 1, 2}, [&](int i) {
+    return roundedText(sorted.moments[i], 6) + (i == 0 ? " kg m^2" : "") + " about " +
+           axisText(sorted.axes.col(i));
+  });
+}
+
 std::string pairText(const std::array<std::size_t, 2>& triangles) {
   return "triangles " + std::to_string(triangles[0] + 1) + " and " +
          std::to_string(triangles[1] + 1);
@@ -68,41 +83,38 @@ std::string surfaceText(const std::optional<BodySurface>& surface) {
                                            : std::to_string(surface->shells) +
                                                  " closed surfaces, which add up: also where they "
                                                  "overlap; one that faces inward takes away");
-  for (const std::string& note : surface->notes) text += "\n  note: " + note;
+  for (const std::string& note : surface->notes) text += "\n  note        " + note;
   if (surface->crossing) {
-    text += "\n  note: " + pairText(*surface->crossing) +
+    text += "\n  note        " + pairText(*surface->crossing) +
             " cross each other; what a surface encloses twice counts twice";
   }
   if (surface->overlap) {
     text +=
-        "\n  note: " + pairText(*surface->overlap) +
+        "\n  note        " + pairText(*surface->overlap) +
         " meet at an edge around which something is enclosed twice, or taken away where nothing "
         "is; it counts so";
   }
   return text;
 }
 
+}  // namespace
+
 void reportBody(const BodyNumbers& numbers, std::ostream& output) {
   const body::MassProperties& body = numbers.properties;
   const auto [moments, axes] = sortedAxes(body.inertia);
-  output << numbers.name << ": " << surfaceText(numbers.surface) << "\n  volume   "
-         << roundedText(body.volume, 6) << " m^3\n  mass     " << roundedText(body.mass, 6)
-         << " kg\n  centre   " << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
-         << " m\n  inertia  about the centre [kg m^2]\n";
+  output << "  body        " << surfaceText(numbers.surface) << "\n  volume      "
+         << roundedText(body.volume, 6) << " m^3\n  mass        " << roundedText(body.mass, 6)
+         << " kg\n  centre      " << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
+         << " m\n  inertia     about the centre [kg m^2]\n";
   for (int row = 0; row < 3; ++row)
-    output << "           " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
-  constexpr std::array kNames{"smallest", "middle  ", "largest "};
-  for (int i = 0; i < 3; ++i) {
-    output << "  " << kNames[static_cast<std::size_t>(i)] << " moment "
-           << roundedText(moments[i], 6) << " kg m^2, about " << bodyVectorText(axes.col(i), 1, 4)
-           << '\n';
-  }
+    output << "              " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
+  output << "  moments     " << momentsText({moments, axes}) << '\n';
   const double growth = growthOf(moments);
   if (growth > 1e-6) {
-    output << "  a spin of w about the middle axis is unstable: deviations grow as e^("
+    output << "  middle axis a spin of w about it is unstable: deviations grow as e^("
            << roundedText(growth, 4) << " w t)\n";
   } else {
-    output << "  two moments are equal, or nearly so: no spin is unstable\n";
+    output << "  middle axis two moments are equal, or nearly so: no spin is unstable\n";
   }
 }
 
@@ -113,13 +125,12 @@ std::string bodyJson(const BodyNumbers& numbers) {
     return jsonArrayOf(std::array{0, 1, 2}, [&](int row) { return vectorJson(matrix.row(row)); });
   };
   JsonObject json;
-  json.addString("name", numbers.name);
   json.addNumber("volume_m3", body.volume);
   json.addNumber("mass_kg", body.mass);
   json.add("centre_m", vectorJson(body.centre));
-  json.add("inertia_kgm2", rowsOf(body.inertia));
-  json.add("principal_moments_kgm2", vectorJson(moments));
-  json.add("principal_axes", rowsOf(axes.transpose()));
+  json.add("inertia_kg_m2", rowsOf(body.inertia));
+  json.add("moments_kg_m2", vectorJson(moments));
+  json.add("axes", rowsOf(axes.transpose()));
   const auto count = [&](const char* key, std::size_t BodySurface::*member) {
     if (!numbers.surface) {
       json.add(key, "null");
@@ -143,22 +154,6 @@ std::string bodyJson(const BodyNumbers& numbers) {
                        [](const std::string& note) { return jsonString(note); }));
   json.addBool("closed", true);
   return json.text();
-}
-
-}  // namespace
-
-void reportBodies(const Bodies& bodies, std::ostream& output) {
-  for (const BodyNumbers& body : bodies.bodies) reportBody(body, output);
-}
-
-void reportBodiesAsJson(const Bodies& bodies, std::ostream& output) {
-  if (bodies.bodies.size() == 1) {
-    output << bodyJson(bodies.bodies.front()) << '\n';
-    return;
-  }
-  JsonObject json;
-  json.addString("name", bodies.name).add("bodies", jsonArrayOf(bodies.bodies, bodyJson));
-  output << json.text() << '\n';
 }
 
 }  // namespace rotatebook::report

@@ -25,27 +25,18 @@ struct BodySurface {
   std::vector<std::string> notes{};  ///< On what was changed or left out of the file.
 };
 
-/// A body and where it comes from.
 struct BodyNumbers {
-  std::string name;
   body::MassProperties properties;
   std::optional<BodySurface> surface{};  ///< Nothing for the book.
 };
 
-/// The bodies of a scene's motions, or the one of a mesh.
-struct Bodies {
-  std::string name;                 ///< The scene's or the mesh's.
-  std::vector<BodyNumbers> bodies;  ///< One or more; several are a scene's panels.
-};
+/// Prints size, mass, centre, inertia, and the stability of a spin about the middle axis.
+void reportBody(const BodyNumbers& numbers, std::ostream& output);
 
-/// Prints size, mass, centre, inertia, and the stability of a spin about each principal axis.
-void reportBodies(const Bodies& bodies, std::ostream& output);
-
-/// Prints one JSON object: "name", "volume_m3", "mass_kg", "centre_m", "inertia_kgm2" (3x3 about
-/// the centre), "principal_moments_kgm2" (ascending), "principal_axes" (a unit vector for each
-/// moment, right-handed), "triangles" and "shells" (null for the book), "crossing" and
-/// "overlap" (the numbers of two triangles, from 1, or null), "notes", "closed". Of several bodies:
-/// "name", and these as "bodies".
-void reportBodiesAsJson(const Bodies& bodies, std::ostream& output);
+/// Returns a JSON object: "volume_m3", "mass_kg", "centre_m", "inertia_kg_m2" (3x3 about the
+/// centre), "moments_kg_m2" (ascending), "axes" (a unit vector for each moment, right-handed),
+/// "triangles" and "shells" (null for the book), "crossing" and "overlap" (the numbers of two
+/// triangles, from 1, or null), "notes", "closed".
+std::string bodyJson(const BodyNumbers& numbers);
 
 }  // namespace rotatebook::report

@@ -45,15 +45,6 @@ std::size_t circledAxis(const Spin& spin) {
   return spin.regime == Regime::AboutLargest ? 2 : 0;
 }
 
-std::string momentsText(const Spin& spin) {
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < 3; ++i) {
-    parts.push_back(text(spin.moments[i]) + (i == 0 ? " kg m^2" : "") + " about " +
-                    axisText(spin, i));
-  }
-  return joined(parts);
-}
-
 std::string spinText(const Spin& spin) {
   const double speed = spin.angularVelocity.norm();
   std::string line = text(speed) + " rad/s (" + text(speed / (2 * pi)) + " turns a second)";
@@ -100,7 +91,7 @@ struct Line {
 
 std::vector<Line> linesOn(const SpinNumbers& numbers) {
   const Spin& spin = numbers.spin;
-  std::vector<Line> lines{{"moments", momentsText(spin)}, {"spin", spinText(spin)}};
+  std::vector<Line> lines{{"spin", spinText(spin)}};
   if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(spin)});
   if (spin.period) {
     const std::string circled = axisText(spin, circledAxis(spin));
@@ -151,33 +142,6 @@ void addPeriod(const Spin& spin, JsonObject& object) {
       .addNumberOrNull("axis_turn_rad", number(&SpinPeriod::axisTurn));
 }
 
-std::string spinJson(const SpinNumbers& numbers) {
-  const Spin& spin = numbers.spin;
-  JsonObject object;
-  object.addStringOrNull("label", numbers.motion.label)
-      .addString("model", nameOf(scene::kModels, numbers.motion.simulation.model))
-      .add("moments_kg_m2", jsonArrayOf(spin.moments, shortestText))
-      .add("axes", jsonArrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); }))
-      .addString("equal_moments", equalText(spin.equal))
-      .add("angular_velocity_rad_per_s", vectorJson(spin.angularVelocity))
-      .add("angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum))
-      .addNumber("energy_j", spin.energy)
-      .addString("spun_axis", kMoments[spin.spunAxis])
-      .addNumber("off_axis_rad", spin.offAxis)
-      .addBool("steady", spin.isSteady)
-      .addInteger("regime", static_cast<int>(spin.regime))
-      .addNumberOrNull("growth_per_s", spin.growth)
-      .addNumberOrNull("oscillation_rad_per_s", spin.oscillation)
-      .addNumberOrNull("first_flip_s", spin.firstFlip)
-      .addNumberOrNull("flip_interval_s", spin.flipInterval());
-  addPeriod(spin, object);
-  return object.addNumberOrNull("margin", spin.margin)
-      .addNumberOrNull("to_separatrix_rad", spin.toSeparatrix)
-      .add("euler", eulerJson(numbers.euler))
-      .add("remarks", jsonArrayOf(remarksOn(numbers), jsonString))
-      .text();
-}
-
 }  // namespace
 
 std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene) {
@@ -223,29 +187,38 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
   return remarks;
 }
 
-void reportSpins(const scene::Scene& scene, const std::vector<SpinNumbers>& all,
-                 std::ostream& out) {
+void reportSpin(const SpinNumbers& numbers, std::ostream& out) {
   constexpr std::size_t kLabelWidth = 12;
-  out << scene.name << ": " << scene.title << '\n';
-  for (const SpinNumbers& numbers : all) {
-    const std::string& label = numbers.motion.label;
-    const std::string indent = label.empty() ? "  " : "    ";
-    if (!label.empty()) out << "  " << label << ":\n";
-    for (const auto& [name, content] : linesOn(numbers)) {
-      out << indent << name << std::string(kLabelWidth - name.size(), ' ') << content << '\n';
-    }
-    for (const std::string& remark : remarksOn(numbers)) out << indent << remark << '\n';
-  }
+  for (const auto& [name, content] : linesOn(numbers))
+    out << "  " << name << std::string(kLabelWidth - name.size(), ' ') << content << '\n';
+  for (const std::string& remark : remarksOn(numbers)) out << "  " << remark << '\n';
 }
 
-void reportSpinsAsJson(const scene::Scene& scene, const std::vector<SpinNumbers>& all,
-                       std::ostream& out) {
-  out << JsonObject()
-             .addString("name", scene.name)
-             .addString("title", scene.title)
-             .add("motions", jsonArrayOf(all, spinJson))
-             .text()
-      << '\n';
+std::string spinJson(const SpinNumbers& numbers) {
+  const Spin& spin = numbers.spin;
+  JsonObject object;
+  object.addStringOrNull("label", numbers.motion.label)
+      .addString("model", nameOf(scene::kModels, numbers.motion.simulation.model))
+      .add("moments_kg_m2", jsonArrayOf(spin.moments, shortestText))
+      .add("axes", jsonArrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); }))
+      .addString("equal_moments", equalText(spin.equal))
+      .add("angular_velocity_rad_per_s", vectorJson(spin.angularVelocity))
+      .add("angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum))
+      .addNumber("energy_j", spin.energy)
+      .addString("spun_axis", kMoments[spin.spunAxis])
+      .addNumber("off_axis_rad", spin.offAxis)
+      .addBool("steady", spin.isSteady)
+      .addInteger("regime", static_cast<int>(spin.regime))
+      .addNumberOrNull("growth_per_s", spin.growth)
+      .addNumberOrNull("oscillation_rad_per_s", spin.oscillation)
+      .addNumberOrNull("first_flip_s", spin.firstFlip)
+      .addNumberOrNull("flip_interval_s", spin.flipInterval());
+  addPeriod(spin, object);
+  return object.addNumberOrNull("margin", spin.margin)
+      .addNumberOrNull("to_separatrix_rad", spin.toSeparatrix)
+      .add("euler", eulerJson(numbers.euler))
+      .add("remarks", jsonArrayOf(remarksOn(numbers), jsonString))
+      .text();
 }
 
 }  // namespace rotatebook::report

@@ -27,11 +27,10 @@ std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene);
 /// spin, of equal moments, on the separatrix, with nudges, of particles.
 std::vector<std::string> remarksOn(const SpinNumbers& numbers);
 
-/// Prints the numbers of each motion of `scene`, a panel's under its label, and the remarks.
-void reportSpins(const scene::Scene& scene, const std::vector<SpinNumbers>& all, std::ostream& out);
+/// Prints the numbers and the remarks.
+void reportSpin(const SpinNumbers& numbers, std::ostream& out);
 
-/// Prints the same as one JSON object. Unknown values are null.
-void reportSpinsAsJson(const scene::Scene& scene, const std::vector<SpinNumbers>& all,
-                       std::ostream& out);
+/// Returns the same as a JSON object. Unknown values are null.
+std::string spinJson(const SpinNumbers& numbers);
 
 }  // namespace rotatebook::report

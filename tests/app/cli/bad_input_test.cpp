@@ -119,7 +119,7 @@ const std::vector<BadCase> kCommands{
      {"simulate", "tiny.toml", "--csv", "x.csv", "--set", "body.mass=0"},
      "--set body.mass=0: body.mass must be a mass from 1e-9 to 1e9 kg, not 0"},
     {"PrintWrongScene",
-     {"scene", "--print", "tiny.toml", "--set", "body.mass=0"},
+     {"check", "--print", "tiny.toml", "--set", "body.mass=0"},
      "--set body.mass=0: body.mass must be a mass from 1e-9 to 1e9 kg, not 0"},
     {"ListOfNothing",
      {"list", "nowhere"},

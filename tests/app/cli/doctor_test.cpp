@@ -188,7 +188,7 @@ TEST_F(DriverCrash, IsExplainedByEveryCommandThatDraws) {
   const std::vector<std::string> before = files();
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"verify", "out/tiny.mp4", "--json"},
-                                             {"rerun", "out/tiny.mp4", "-o", "again"},
+                                             {"verify", "out/tiny.mp4", "--again", "again"},
                                              {"sheet", "tiny.toml", "-o", "x.png"},
                                              {"page", "tiny.toml"},
                                              {"bench", "tiny.toml"}}) {

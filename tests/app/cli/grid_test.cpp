@@ -55,17 +55,19 @@ TEST_F(GridCommands, RenderLeavesOneTableWithARowForEachBook) {
 }
 
 TEST_F(GridCommands, AnOptionMakesTheSameGrid) {
-  const ChildResult asked = runWithoutGraphics(
-      {"scene", "one.toml", "--grid", "initial.tilt=0.1, 0.01,0.001 x simulation.substeps=[1, 4]"});
+  const ChildResult asked =
+      runWithoutGraphics({"check", "--print", "one.toml", "--grid",
+                          "initial.tilt=0.1, 0.01,0.001 x simulation.substeps=[1, 4]"});
   EXPECT_EQ(asked.status, 0) << asked.error;
-  const ChildResult stated = runWithoutGraphics({"scene", "grid.toml", "--set", "expect={}"});
+  const ChildResult stated =
+      runWithoutGraphics({"check", "--print", "grid.toml", "--set", "expect={}"});
   EXPECT_EQ(asked.output, stated.output);
   EXPECT_THAT(asked.output, Not(HasSubstr("[expect]"))) << "what the single book must show";
 }
 
 TEST_F(GridCommands, AnOptionTakesWholeNumbersWordsAndRanges) {
   const auto sceneOf = [&](const std::string& grid) {
-    return runWithoutGraphics({"scene", "one.toml", "--grid", grid}).output;
+    return runWithoutGraphics({"check", "--print", "one.toml", "--grid", grid}).output;
   };
   EXPECT_THAT(
       sceneOf("simulation.substeps=1..8"),

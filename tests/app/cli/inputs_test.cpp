@@ -153,8 +153,8 @@ TEST_F(Inputs, AreNotWrittenOverByWhatIsSubmitted) {
 TEST_F(Inputs, AreNotWrittenOverByAClipThatIsMadeAgain) {
   const ChildResult first = run({"render", "all.toml", "-o", "first", "--no-png"});
   ASSERT_EQ(first.status, 0) << first.error;
-  const std::vector<std::string> rerun{"rerun", "first/all.mp4",  "-o",
-                                       "out",   "--scene-folder", "."};
+  const std::vector<std::string> rerun{"verify", "first/all.mp4",  "--again",
+                                       "out",    "--scene-folder", "."};
   expectRefused("out/all_measured.csv", ofRecord, rerun);
   expectRefused("out/all.poster.png", ofRecord, rerun);
 }
@@ -188,7 +188,7 @@ TEST_F(Inputs, AreNoRecordingOfTheScenesOwnName) {
   expectKept({"simulate", "s.toml", "--csv", "s.csv"});
   expectKept({"submit", "render", "s.toml", "-o", ".", "--plan", "list", "--chunk", "5"});
   EXPECT_EQ(run({"render", "s.toml", "--no-png"}).status, 0) << "into another folder";
-  expectKept({"rerun", "out/s.mp4", "-o", ".", "--scene-folder", "."});
+  expectKept({"verify", "out/s.mp4", "--again", ".", "--scene-folder", "."});
 }
 
 // The runs of a study may be of recordings, too.

@@ -126,8 +126,8 @@ TEST_F(Json, OfSimulateIsRefusedWhereTheTableIsPrinted) {
   EXPECT_THAT(result.output, IsEmpty());
 }
 
-TEST_F(Json, OfSpinHasItsNumbers) {
-  const ChildResult result = runWithoutGraphics({"spin", "b.toml", "--json"});
+TEST_F(Json, OfInfoHasTheNumbersOfBodyAndSpin) {
+  const ChildResult result = runWithoutGraphics({"info", "b.toml", "--json"});
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "name title motions");

@@ -175,7 +175,7 @@ TEST_F(LostInput, IsNoClipThatWasInterrupted) {
   fs::rename(folder() / "tiny.mp4", folder() / "tiny.partial.mp4");
   for (const char* flag : {"--overwrite", "--resume", "--png"}) {
     expectKept("tiny.partial.mp4", "the clip itself",
-               {"rerun", "tiny.partial.mp4", "-o", ".", flag});
+               {"verify", "tiny.partial.mp4", "--again", ".", flag});
   }
 }
 
@@ -200,7 +200,7 @@ TEST_F(LostInput, IsNoTextureOfAClipToMakeAgain) {
                 .status,
             0);
   expectKept("covered.poster.png", "a texture of the scene covered",
-             {"rerun", "first/covered.mp4", "-o", ".", "--scene-folder", "."});
+             {"verify", "first/covered.mp4", "--again", ".", "--scene-folder", "."});
 }
 
 TEST_F(LostInput, IsNoPictureToCompare) {

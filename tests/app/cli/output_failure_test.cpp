@@ -277,7 +277,7 @@ TEST_F(OutputFailure, StandardOutputThatIsFull) {
         {"simulate", "tiny.toml", "--csv", "x.csv"},
         {"render", "tiny.toml", "--no-png", "--no-mp4"},
         {"check", "tiny.toml"},
-        {"scene", "--print", "tiny.toml"},
+        {"check", "--print", "tiny.toml"},
         {"list", "."},
         {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
         {"--version"},

@@ -42,11 +42,11 @@ TEST_F(PrintedNames, AreEscapedInReports) {
   expectSafe({"diff", picture, picture, "-o", kFolder + "/d.png"});
   expectSafe({"assemble", kFolder + "/tiny", "-o", kFolder + "/a.mp4"});
   expectSafe({"verify", video});
-  expectSafe({"rerun", video, "-o", kFolder + "/again"});
+  expectSafe({"verify", video, "--again", kFolder + "/again"});
   expectSafe({"list", kFolder}, 2);
   expectSafe({"check", kFolder + "/none.toml"}, 2);
   expectSafe({"bench", kFolder + "/none.toml"}, 2);
-  expectSafe({"scene", kFolder + "/tiny/scene.toml"});
+  expectSafe({"check", "--print", kFolder + "/tiny/scene.toml"});
   expectSafe({"doctor", "-o", kFolder});
 }
 

@@ -45,14 +45,15 @@ TEST_F(Quiet, ReportsArentPrinted) {
   expectSilent({"sheet", "tiny.toml", "--count", "1", "-o", "sheet.png"});
   expectSilent({"diff", "tiny.png", "tiny.png"});
   expectSilent({"verify", "out/tiny.mp4"});
-  expectSilent({"rerun", "out/tiny.mp4", "-o", "again"});
+  expectSilent({"verify", "out/tiny.mp4", "--again", "again"});
   expectSilent({"assemble", "out/tiny", "-o", "x.mp4"});
   expectSilent({"page", "tiny.toml", "--no-thumbnails"});
 }
 
 TEST_F(Quiet, ResultsArePrinted) {
-  EXPECT_EQ(run({"scene", "tiny.toml", "-q"}).output, run({"scene", "tiny.toml"}).output);
-  EXPECT_EQ(run({"spin", "tiny.toml", "-q"}).output, run({"spin", "tiny.toml"}).output);
+  EXPECT_EQ(run({"check", "--print", "tiny.toml", "-q"}).output,
+            run({"check", "--print", "tiny.toml"}).output);
+  EXPECT_EQ(run({"info", "tiny.toml", "-q"}).output, run({"info", "tiny.toml"}).output);
   EXPECT_EQ(run({"list", ".", "-q"}).output, "./tiny.toml   0.2 s  Tiny\n");
   const std::vector<std::string> table{"simulate", "tiny.toml", "--csv", "-"};
   const ChildResult loud = run(table);

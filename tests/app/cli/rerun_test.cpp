@@ -42,7 +42,7 @@ TEST_F(RerunCommand, HasTheWordsOfAFileThatIsGone) {
   render({"--set", "overlay.words=french.words", "--set", "overlay.show=['clock']"});
   fs::remove(folder() / "french.words");
   EXPECT_EQ(run({"verify", "out/tiny.mp4"}).status, 0);
-  const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "again"});
+  const ChildResult result = run({"verify", "out/tiny.mp4", "--again", "again"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_TRUE(sameBytes(read("again/tiny.mp4"), read("out/tiny.mp4")));
 }
@@ -51,7 +51,7 @@ TEST_F(RerunCommand, MakesTheSameFile) {
   render({"--set", "video.crf=25", "--set", "initial.angular_velocity=[4, 1, 0]"});
   fs::rename(folder() / "out/tiny.mp4", folder() / "renamed.mp4");
   fs::remove(folder() / "tiny.toml");
-  const ChildResult result = run({"rerun", "renamed.mp4", "-o", "again"});
+  const ChildResult result = run({"verify", "renamed.mp4", "--again", "again"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(result.output,
               HasSubstr("\n  again/tiny.mp4 has exactly the bytes of renamed.mp4\n"));
@@ -61,7 +61,8 @@ TEST_F(RerunCommand, MakesTheSameFile) {
 
 TEST_F(RerunCommand, MakesPartsInTheirFormatWithFramesIfAsked) {
   render({"--frames", "3:5", "--format", "webm"});
-  const ChildResult result = run({"rerun", "out/tiny_00003-00005.webm", "-o", "again", "--png"});
+  const ChildResult result =
+      run({"verify", "out/tiny_00003-00005.webm", "--again", "again", "--png"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(filesBelow("again/"),
               ElementsAre("again/tiny.csv", "again/tiny/", "again/tiny/frame_00003.png",
@@ -78,7 +79,7 @@ TEST_F(RerunCommand, NeverOverwritesTheClip) {
   fs::create_directories(folder() / "hard");
   fs::create_hard_link(folder() / "out/tiny.mp4", folder() / "hard/tiny.mp4");
   for (const char* output : {"out", "./out/", "link", "hard"}) {
-    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", output});
+    const ChildResult result = run({"verify", "out/tiny.mp4", "--again", output});
     EXPECT_EQ(result.status, 2) << output;
     EXPECT_THAT(result.error, AllOf(HasSubstr("tiny.mp4 is the clip itself"), HasSubstr("-o")));
     EXPECT_THAT(result.output, IsEmpty());
@@ -92,7 +93,7 @@ TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
   fs::create_directories(folder() / "kept");
   fs::copy(folder() / "other", folder() / "kept", fs::copy_options::recursive);
   const auto expectRefused = [&](const std::string& file) {
-    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "other", "--png"});
+    const ChildResult result = run({"verify", "out/tiny.mp4", "--again", "other", "--png"});
     EXPECT_EQ(result.status, 2) << result.output;
     EXPECT_EQ(result.error,
               "rotatebook: " + file +
@@ -105,10 +106,10 @@ TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
   expectRefused("other/tiny/scene.toml");  // Its frames are as dear.
   write("other/tiny.mp4", "notes");
   expectRefused("other/tiny.mp4");
-  const ChildResult replaced = run({"rerun", "out/tiny.mp4", "-o", "other", "--overwrite"});
+  const ChildResult replaced = run({"verify", "out/tiny.mp4", "--again", "other", "--overwrite"});
   EXPECT_EQ(replaced.status, 0) << replaced.output << replaced.error;
   EXPECT_TRUE(sameBytes(read("other/tiny.mp4"), read("out/tiny.mp4")));
-  EXPECT_EQ(run({"rerun", "out/tiny.mp4", "-o", "other"}).status, 0);  // Its own.
+  EXPECT_EQ(run({"verify", "out/tiny.mp4", "--again", "other"}).status, 0);  // Its own.
 }
 
 TEST_F(RerunCommand, TakesTexturesFromOutsideOnlyIfAllowed) {
@@ -120,8 +121,8 @@ TEST_F(RerunCommand, TakesTexturesFromOutsideOnlyIfAllowed) {
                  "--allow-outside"})
                 .status,
             0);
-  const std::vector<std::string> words{"rerun", "out/tiny.mp4",   "-o",
-                                       "again", "--scene-folder", "scenes"};
+  const std::vector<std::string> words{"verify", "out/tiny.mp4",   "--again",
+                                       "again",  "--scene-folder", "scenes"};
   EXPECT_EQ(run(words).status, 2);
   std::vector<std::string> allowing = words;
   allowing.push_back("--allow-outside");
@@ -135,14 +136,14 @@ TEST_F(RerunCommand, ReportsWhatDiffers) {
   const std::string whole = clip;
   const std::string renderer = "# Renderer: ";
   write("other.mp4", clip.replace(clip.find(renderer), renderer.size(), "# Sendererx "));
-  ChildResult result = run({"rerun", "other.mp4", "-o", "again"});
+  ChildResult result = run({"verify", "other.mp4", "--again", "again"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  again/tiny.mp4 has OTHER bytes than other.mp4\n"),
                                    HasSubstr("\n    the renderer was not recorded, here it is ")));
   clip = whole;
   clip.back() ^= 1;
   write("other.mp4", clip);
-  result = run({"rerun", "other.mp4", "-o", "again"});
+  result = run({"verify", "other.mp4", "--again", "again"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output,
               HasSubstr("\n    version, renderer, FFmpeg and motion are those recorded: "));
@@ -152,7 +153,7 @@ TEST_F(RerunCommand, ReportsThatAClipWasCutOff) {
   render({});
   const std::string clip = read("out/tiny.mp4");
   write("cut.mp4", clip.substr(0, clip.size() - 100));
-  const ChildResult result = run({"rerun", "cut.mp4", "-o", "again"});
+  const ChildResult result = run({"verify", "cut.mp4", "--again", "again"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(
       result.output,
@@ -165,7 +166,7 @@ TEST_F(RerunCommand, ReportsThatAClipWasCutOff) {
 
 TEST_F(RerunCommand, RefusesWhatHoldsNoRecord) {
   render({"--format", "gif"});
-  const ChildResult result = run({"rerun", "out/tiny.gif", "-o", "again"});
+  const ChildResult result = run({"verify", "out/tiny.gif", "--again", "again"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.error, HasSubstr("holds no record of the scene"));
   EXPECT_FALSE(has("again"));

@@ -59,7 +59,7 @@ TEST_F(SceneCommandsTest, SizeWinsOverTheKeyThatItIsShortFor) {
   for (const std::vector<std::string>& options :
        {std::vector<std::string>{"--size", "96x54", "--set", "clip.size=[32, 18]"},
         {"--set", "clip.size=[32, 18]", "--size", "96x54"}}) {
-    std::vector<std::string> words{"scene", "--print", "tiny.toml"};
+    std::vector<std::string> words{"check", "--print", "tiny.toml"};
     words.insert(words.end(), options.begin(), options.end());
     const ChildResult result = runWithoutGraphics(words);
     EXPECT_EQ(result.status, 0) << result.error;
@@ -109,24 +109,18 @@ TEST_F(SceneCommandsTest, CheckLooksAtTheWordsToo) {
 }
 
 TEST_F(SceneCommandsTest, PrintedSceneRendersTheSame) {
-  const ChildResult printed = run({"scene", "--print", "tiny.toml", "--set", "body.mass=2"});
+  const ChildResult printed = run({"check", "--print", "tiny.toml", "--set", "body.mass=2"});
   EXPECT_EQ(printed.status, 0);
   EXPECT_THAT(printed.output, HasSubstr("\nmass = 2.0"));
   EXPECT_THAT(printed.output, HasSubstr("\nsubsteps = "));
   write("full/tiny.toml", printed.output);
   EXPECT_EQ(run({"check", "full/tiny.toml"}).output, "full/tiny.toml: ok\n");
-  EXPECT_EQ(run({"scene", "--print", "full/tiny.toml"}).output, printed.output);
+  EXPECT_EQ(run({"check", "--print", "full/tiny.toml"}).output, printed.output);
   run({"render", "tiny.toml", "--set", "body.mass=2", "-o", "a"});
   run({"render", "full/tiny.toml", "-o", "b"});
   EXPECT_EQ(read("a/tiny.mp4"), read("b/tiny.mp4"));
   EXPECT_EQ(read("a/tiny.csv"), read("b/tiny.csv"));
   EXPECT_EQ(read("a/tiny/frame_00011.png"), read("b/tiny/frame_00011.png"));
-}
-
-TEST_F(SceneCommandsTest, PrintMayBeLeftOut) {
-  const std::string printed = run({"scene", "--print", "tiny.toml"}).output;
-  EXPECT_THAT(printed, HasSubstr("\nsubsteps = "));
-  EXPECT_EQ(run({"scene", "tiny.toml"}).output, printed);
 }
 
 TEST_F(SceneCommandsTest, ListNamesScenesWithLengthAndTitle) {

@@ -67,7 +67,7 @@ TEST_F(TextureReads, AreOneForEachCommand) {
   expectOneOf({"render", "covered.toml", "-o", "."});
   expectOneOf({"render", "covered.toml", "tiny.toml", "-o", "two", "--jobs", "2"});
   expectOneOf({"verify", "covered.mp4"});
-  expectOneOf({"rerun", "covered.mp4", "-o", "again"});
+  expectOneOf({"verify", "covered.mp4", "--again", "again"});
   expectOneOf({"bench", "covered.toml", "--frames", "2"});
   expectOneOf({"still", "covered.toml", "--time", "0", "-o", "still.png"});
 }

@@ -108,7 +108,7 @@ TEST_F(VerifyCommand, ComparesTheFramesThatAreNamed) {
 TEST_F(VerifyCommand, WaitsForNoPipe) {
   ASSERT_EQ(mkfifo((folder() / "clip.mp4").c_str(), 0600), 0);
   for (const std::vector<std::string>& command :
-       {std::vector<std::string>{"verify"}, {"rerun", "-o", "again"}}) {
+       {std::vector<std::string>{"verify"}, {"verify", "--again", "again"}}) {
     std::vector<std::string> arguments = command;
     arguments.emplace_back("clip.mp4");
     const ChildResult result = run(arguments);

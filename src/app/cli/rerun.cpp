@@ -1,14 +1,12 @@
+#include "cli/rerun.h"
+
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "base/text.h"
-#include "cli/clip_options.h"
-#include "cli/commands.h"
-#include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
@@ -24,14 +22,6 @@ namespace rotatebook::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct RerunArguments {
-  fs::path clip, folder;
-  store::TextureLookup textures;
-  bool png = false;
-  store::EarlierFrames earlier;
-  DeviceOptions deviceOptions;
-};
 
 store::ClipFiles filesOf(const store::RecordedClip& clip, const fs::path& folder) {
   const std::string& name = clip.record.scene.name;
@@ -99,6 +89,8 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
   return kUnmet;
 }
 
+}  // namespace
+
 int rerun(const RerunArguments& arguments) {
   const store::RecordedClip clip = store::readRecordedClip(arguments.clip, arguments.textures);
   picture::requireText(clip.record.scene);
@@ -120,38 +112,6 @@ int rerun(const RerunArguments& arguments) {
   // Expectations are reported, but decide no status: they decided that of the first render.
   const int status = renderScenes({{clip.record.scene, clip.textures}}, options, 1);
   return status >= kInterrupted ? status : compare(clip, arguments, output);
-}
-
-}  // namespace
-
-void addRerunCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<RerunArguments>();
-  CLI::App* command = program.add_subcommand(
-      "rerun", "Make a clip again from its own record, and compare the bytes");
-  addClip(*command, arguments->clip);
-  command->add_option("-o,--output", arguments->folder, "Folder for the results")
-      ->type_name("DIR")
-      ->required();
-  command->add_flag("--png", arguments->png, "Write PNG frames, too");
-  command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
-  command->add_flag(
-      "--overwrite", arguments->earlier.overwrite,
-      "Replace another scene's clip of the same name, and discard frames of an unfinished "
-      "render");
-  addTextureOptions(*command, arguments->textures);
-  arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
-Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
-reports whether the new file has exactly the clip's bytes, and if not, what differs. The clip itself is
-never overwritten, and another scene's clip of that name only with --overwrite.
-
-Exit status: 0 the same bytes, 1 other bytes, whether or not expectations are met; 2 the file can't be
-read or isn't a clip of rotatebook; 3 the machine can't render.
-
-Examples:
-  rotatebook rerun out/starter.mp4 -o again
-  rotatebook rerun clips/cover_00010-00020.webm -o again --png --scene-folder scenes)");
-  command->callback([arguments, &action] { action = [arguments] { return rerun(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

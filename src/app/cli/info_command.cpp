@@ -2,8 +2,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "base/units.h"
@@ -18,6 +20,7 @@
 #include "physics/motion_start.h"
 #include "picture/named_file.h"
 #include "report/body_report.h"
+#include "report/spin_report.h"
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
 #include "system/read_file.h"
@@ -27,7 +30,7 @@ namespace {
 
 constexpr double kWater = 1000;  // [kg/m^3]
 
-struct BodyOptions {
+struct InfoOptions {
   std::optional<double> density, mass;
   std::string unit = "m";
   bool json = false;
@@ -58,7 +61,7 @@ report::BodySurface surfaceOf(const body::ClosedMesh& file) {
           inFile(shells.overlap), file.closing.notes};
 }
 
-report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
+report::BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& options) {
   if (options.density && options.mass)
     throw InputError("--density and --mass: one follows from the other; name one of them");
   requirePositive("--density", options.density);
@@ -72,7 +75,7 @@ report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
     const body::MassProperties properties = body::massPropertiesOf(mesh, density);
     rigid::checkInertia(properties.inertia);
-    return {path, {{path, properties, surfaceOf(file)}}};
+    return {properties, surfaceOf(file)};
   } catch (const InputError& error) {
     throw InputError(oneLine(path, 200) + ": " + error.what());
   }
@@ -81,8 +84,7 @@ report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
 report::BodyNumbers bodyOfBook(const scene::Panel& motion) {
   const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
   const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
-  return {"",
-          {motion.body.size.prod(),
+  return {{motion.body.size.prod(),
            motion.body.mass,
            {0, 0, 0},
            axes * inertia.moments.asDiagonal() * axes.transpose()}};
@@ -93,7 +95,7 @@ report::BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid
   const body::ClosedMesh file = body::readMesh(
       solid.mesh.name, picture::readNamedFile(scene.folder, solid.mesh.name, scene::kLongestMesh,
                                               scene.allowOutside));
-  report::BodyNumbers numbers{"", scene::numbersOf(solid).properties, surfaceOf(file)};
+  report::BodyNumbers numbers{scene::numbersOf(solid).properties, surfaceOf(file)};
   numbers.properties.centre = body::massPropertiesOf(file.mesh, 1).centre * solid.mesh.unit;
   return numbers;
 }
@@ -105,34 +107,74 @@ report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
     surface.triangles += mesh.triangles.size();
     surface.shells += body::shellsOf(mesh).count;
   }
-  return {"", scene::numbersOf(solid).properties, surface};
+  return {scene::numbersOf(solid).properties, surface};
 }
 
-report::Bodies bodiesOfScene(const std::string& path, const BodyOptions& options) {
+/// A motion of a scene, or a mesh alone.
+struct Info {
+  std::string label;  ///< Empty but for panels.
+  report::BodyNumbers body;
+  std::optional<report::SpinNumbers> spin{};  ///< A mesh has none.
+};
+
+report::BodyNumbers bodyOf(const scene::Scene& scene, const scene::Panel& motion) {
+  if (motion.solid.isBook()) return bodyOfBook(motion);
+  return motion.solid.parts.empty() ? bodyOfMeshFile(scene, motion.solid)
+                                    : bodyOfParts(motion.solid);
+}
+
+void print(const std::string& head, const std::vector<Info>& infos) {
+  std::cout << oneLine(head) << '\n';
+  for (const Info& info : infos) {
+    if (!info.label.empty()) std::cout << info.label << ":\n";
+    report::reportBody(info.body, std::cout);
+    if (info.spin) report::reportSpin(*info.spin, std::cout);
+  }
+}
+
+std::string infoJson(const Info& info) {
+  return JsonObject()
+      .addStringOrNull("label", info.label)
+      .add("body", report::bodyJson(info.body))
+      .add("spin", info.spin ? report::spinJson(*info.spin) : "null")
+      .text();
+}
+
+void printJson(const std::string& name, const std::string& title, const std::vector<Info>& infos) {
+  std::cout << JsonObject()
+                   .addString("name", name)
+                   .addStringOrNull("title", title)
+                   .add("motions", jsonArrayOf(infos, infoJson))
+                   .text()
+            << '\n';
+}
+
+void showScene(const std::string& path, const InfoOptions& options) {
   if (std::filesystem::path(path).extension() != ".toml")
     throw InputError(path + ": neither a scene (.toml) nor a mesh (.obj, .stl, .ply or .glb)");
   if (options.density || options.mass || options.unit != "m")
     throw InputError("--density, --mass and --unit are a mesh's; " + path +
                      " has a body of its own");
   const scene::Scene scene = options.scene.read(path);
-  report::Bodies bodies{scene.name, {}};
-  for (const scene::Panel& motion : scene::motionsOf(scene)) {
-    const scene::Solid& solid = motion.solid;
-    bodies.bodies.push_back(solid.isBook()        ? bodyOfBook(motion)
-                            : solid.parts.empty() ? bodyOfMeshFile(scene, solid)
-                                                  : bodyOfParts(solid));
-    bodies.bodies.back().name = motion.label.empty() ? scene.name : motion.label;
-  }
-  return bodies;
+  std::vector<Info> infos;
+  for (const report::SpinNumbers& spin : report::spinNumbersOf(scene))
+    infos.push_back({spin.motion.label, bodyOf(scene, spin.motion), spin});
+  options.json ? printJson(scene.name, scene.title, infos)
+               : print(scene.name + ": " + scene.title, infos);
+}
+
+void showMesh(const std::string& path, const InfoOptions& options) {
+  const std::vector<Info> infos{{"", bodyOfMesh(path, options)}};
+  options.json ? printJson(path, "", infos) : print(path, infos);
 }
 
 }  // namespace
 
-void addBodyCommand(CLI::App& program, Action& action) {
+void addInfoCommand(CLI::App& program, Action& action) {
   auto path = std::make_shared<std::string>();
-  auto options = std::make_shared<BodyOptions>();
+  auto options = std::make_shared<InfoOptions>();
   CLI::App* command =
-      program.add_subcommand("body", "Print the mass, centre and inertia of a body");
+      program.add_subcommand("info", "Print the numbers of a scene's body and spin, or of a mesh");
   command->add_option("SCENE|MESH", *path, "Scene file, or a mesh: .obj, .stl, .ply or .glb")
       ->required();
   command->add_option("--density", options->density,
@@ -143,18 +185,18 @@ void addBodyCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", options->json, "Print one JSON object");
   options->scene.addTo(*command, /*draws=*/false);
   command->footer(R"(
-The mesh must be closed, and face outward; a broken one is refused with the edge or triangle, and
-nothing is changed in silence; triangles that cross each other are named. Moments are about the
-centre of mass. A scene with panels has a body for each.
+Of a body: volume, mass, centre, inertia about it, principal moments. Of a scene's spin: growth rate,
+flip interval, period, precession with its geometric part, distance to the separatrix, and the step that
+explicit Euler needs. A scene with panels has the numbers of each. A mesh must be closed, and face
+outward; a broken one is refused with the edge or triangle, and nothing is changed in silence.
 
 Examples:
-  rotatebook body part.stl --unit mm --density 2700
-  rotatebook body scenes/starter.toml --json)");
+  rotatebook info scenes/starter.toml
+  rotatebook info scenes/starter.toml --set initial.tilt="['5 deg', 'y']" --json
+  rotatebook info part.stl --unit mm --density 2700)");
   command->callback([path, options, &action] {
     action = [path, options] {
-      const bool isMesh = body::isMeshName(*path);
-      const auto bodies = isMesh ? bodyOfMesh(*path, *options) : bodiesOfScene(*path, *options);
-      (options->json ? report::reportBodiesAsJson : report::reportBodies)(bodies, std::cout);
+      (body::isMeshName(*path) ? showMesh : showScene)(*path, *options);
       return kDone;
     };
   });

@@ -45,6 +45,13 @@ constexpr std::array<Unit, 19> kUnits{{
     {"rpm", Dimension::AngularVelocity, 1, 0, 30},
 }};
 
+/// Units that people write, but that aren't read; no other is meant by them.
+constexpr std::array<std::string_view, 26> kOtherUnits{
+    "grad", "gon", "arcmin", "arcsec", "mrad",    "mil",     "um",    "nm",     "dm",
+    "ft",   "yd",  "mi",     "mg",     "t",       "lb",      "oz",    "us",     "ns",
+    "h",    "hr",  "d",      "day",    "rad/min", "deg/min", "rad/h", "mrad/s",
+};
+
 std::optional<double> wholeNumber(std::string_view text) {
   double number = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -125,7 +132,8 @@ std::string_view unitIn(std::string_view text) {
 }
 
 bool isUnit(std::string_view name) {
-  return std::ranges::count(kUnits, name, &Unit::name) > 0;
+  return std::ranges::count(kUnits, name, &Unit::name) > 0 ||
+         std::ranges::count(kOtherUnits, name) > 0;
 }
 
 std::vector<std::string_view> unitsOf(Dimension dimension) {

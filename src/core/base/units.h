@@ -18,7 +18,7 @@ std::optional<double> parseQuantity(std::string_view text, Dimension dimension);
 
 /// Returns what follows the number that `text` begins with; empty if it begins with none.
 std::string_view unitIn(std::string_view text);
-/// Returns whether there is such a unit, of any dimension.
+/// Returns whether there is such a unit, of any dimension, though it may not be one that is read.
 bool isUnit(std::string_view name);
 
 /// Returns the names of the units of `dimension`, that of the SI first.

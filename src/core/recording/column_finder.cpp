@@ -23,11 +23,34 @@ std::vector<std::size_t> foundIndices(const Found& columns) {
   return indices;
 }
 
+/// Returns the length of a device's name before all names that end as Shimmer's do, such as
+/// "S_Head_Gyro_X_CAL"; 0 if there is none.
+std::size_t deviceLength(const std::vector<std::string>& header) {
+  constexpr std::string_view kEnd = "_CAL";
+  constexpr std::size_t kFewest = 4;  // the time and three axes
+  std::string_view common;
+  std::size_t count = 0;
+  for (const std::string& whole : header) {
+    const std::string_view name = std::string_view(whole).substr(0, whole.find(" ("));
+    if (!name.ends_with(kEnd)) continue;
+    if (count++ == 0) common = name;
+    common = common.substr(
+        0, static_cast<std::size_t>(
+               std::mismatch(common.begin(), common.end(), name.begin(), name.end()).first -
+               common.begin()));
+  }
+  return count < kFewest ? 0 : common.rfind('_') + 1;
+}
+
 }  // namespace
 
 ColumnFinder::ColumnFinder(const CsvTable& table, const ColumnNames& named)
     : table_(table), named_(named) {
-  for (const std::string& name : table.header()) plain_.push_back(columnNameOf(name).plain);
+  const std::size_t device = deviceLength(table.header());
+  for (const std::string& name : table.header()) {
+    const bool isOfDevice = name.find("_CAL") != name.npos;
+    plain_.push_back(columnNameOf(name.substr(isOfDevice ? device : 0)).plain);
+  }
 }
 
 std::optional<std::size_t> ColumnFinder::time() const {

@@ -8,15 +8,16 @@ namespace rotatebook::recording {
 
 /// Usual names of times, in the order of preference. They are compared with ColumnName::plain.
 inline constexpr std::string_view kTimeNames =
-    "secondselapsed elapsed elapsedtime timesincestart stamp stampsecs stampsec "
-    "motiontimestampsincereboot gyrotimestampsincereboot accelerometertimestampsincereboot time t "
-    "times ts timestamp timestampunix unixtime epoch epoc sampletimefine seconds millis micros ms "
+    "secondselapsed elapsed elapsedtime timesincestart stamp stampsecs stampsec timestampshimmer "
+    "timestampsyncunix motiontimestampsincereboot gyrotimestampsincereboot "
+    "accelerometertimestampsincereboot time t times ts timestamp timestampunix "
+    "timestampformattedunix unixtime epoch epoc sampletimefine seconds millis micros ms "
     "us zeit temps tiempo tempo tijd";
 /// Names that are taken where there are others beside them: times since the start, and those of a
 /// message or sensor itself.
 inline constexpr std::string_view kPreferredTimes =
-    "secondselapsed elapsed elapsedtime timesincestart stamp stampsecs stampsec "
-    "motiontimestampsincereboot gyrotimestampsincereboot";
+    "secondselapsed elapsed elapsedtime timesincestart stamp stampsecs stampsec timestampshimmer "
+    "timestampsyncunix motiontimestampsincereboot gyrotimestampsincereboot";
 /// ROS's nanoseconds beside seconds.
 inline constexpr std::string_view kNanosecondNames = "stampnsecs stampnsec stampnanosec";
 
@@ -56,10 +57,12 @@ inline constexpr Spellings kRates{
 // of low noise and of wide range.
 inline constexpr Spellings kAccelerations{
     "ax ay az",
-    "gf accelerationwithg accelln a ac acc accel acceleration accelerometer specificforce "
+    "gf accelerationwithg accelln lownoiseaccelerometer a ac acc accel acceleration accelerometer "
+    "specificforce "
     "arss accelerationincludinggravity accelerometeracceleration accelwr "
+    "widerangeaccelerometer "
     "beschleunigung acc\xC3\xA9l\xC3\xA9ration aceleraci\xC3\xB3n accelerazione versnelling",
-    "gf accelerationwithg accelln",
+    "gf accelerationwithg accelln lownoiseaccelerometer",
     "",
     {"x y z", "0 1 2", "1 2 3"}};
 

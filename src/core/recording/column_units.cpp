@@ -4,12 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "base/text.h"
 #include "recording/column_name.h"
 #include "recording/column_spellings.h"
+#include "recording/sensor_rows.h"
 #include "recording/unit_tables.h"
 #include "recording/words.h"
 
@@ -17,26 +20,41 @@ namespace rotatebook::recording {
 namespace {
 
 /// Programs that write no units: by the header of the time in small letters, and if that is another
-/// by ColumnName::plain, the units of times and rates.
+/// by ColumnName::plain, the units of times and rates. Of two with the same name, the first is that
+/// whose rows are near enough each other.
 struct Program {
   std::string_view time;
-  double seconds;  // [s]
-  double rates;    // [rad/s]
+  double seconds;                                                // [s]
+  double rates;                                                  // [rad/s]
+  double longestStep = std::numeric_limits<double>::infinity();  // of times as they are written
 };
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr Program kPrograms[]{{"secondselapsed", 1, 1},           // Sensor Logger
-                              {"sampletimefine", 1e-6, kDegree},  // Xsens DOT
+                              {"sampletimefine", 1e-4, 1, 5000},  // Xsens MT Manager, from 2 Hz on
+                              {"sampletimefine", 1e-6, kDegree},  // Xsens DOT, up to 120 Hz
                               {"%time", 1e-9, 1},                 // rostopic
                               {"field.header.stamp", 1e-9, 1},    // rostopic
                               {"stampsecs", 1, 1},                // ROS's messages
                               {"stampsec", 1, 1},
                               {"__time", 1, 1}};  // PlotJuggler
 
+/// Returns the usual step of the times as they are written; 0 where there are no two numbers.
+double stepWritten(const CsvTable& table, std::size_t column) {
+  std::vector<double> times;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!table.isHole(row, column) && !table.isText(row, column))
+      times.push_back(table.at(row, column));
+  }
+  return times.size() < 2 ? 0 : medianStep(times);
+}
+
 const Program* programOf(const CsvTable& table, const Columns& columns) {
   const std::string &header = table.header()[columns.time], small = smallText(header);
   const std::string name = columnNameOf(header).plain;
   const auto found = std::ranges::find_if(kPrograms, [&](const Program& program) {
-    return small == program.time || isTimeNamed(name, program.time);
+    const bool isNamed = small == program.time || isTimeNamed(name, program.time);
+    return isNamed && (std::isinf(program.longestStep) ||
+                       stepWritten(table, columns.time) < program.longestStep);
   });
   return found != std::end(kPrograms) ? found : nullptr;
 }

@@ -60,9 +60,12 @@ bool names(const HeadLine& line, const std::vector<std::string_view>& row, char 
   const auto cells = cellsOf(line.text, separator);
   if (isRow(cells, separator)) return false;
   const std::size_t count = filledCount(cells);
-  // A title above the table has a cell alone.
-  if (2 * (cells.size() - static_cast<std::size_t>(std::ranges::count(cells, ""))) <= row.size())
-    return false;
+  const auto others = [&](std::string_view cell) {
+    return cells.size() - static_cast<std::size_t>(std::ranges::count(cells, cell));
+  };
+  // A title above the table has a cell alone, a device's name is in each.
+  if (2 * others("") <= row.size()) return false;
+  if (count > 2 && others(cells.front()) <= cells.size() - count) return false;
   return cells.size() == row.size() || (count <= row.size() && count >= filledCount(row));
 }
 
@@ -74,11 +77,12 @@ void takeHeader(CsvLayout& layout, const HeadLine& line, std::size_t cellsOfRow)
   layout.line = line.number + 1;
 }
 
-/// Returns the unit in a cell, in small letters and without brackets; empty if it isn't one that is
-/// known.
+/// Returns the unit in a cell, in small letters, without brackets and Shimmer's sign of a usual
+/// calibration; empty if it isn't one that is known.
 std::string unitIn(std::string_view cell) {
   std::string unit = smallText(cell);
   std::erase(unit, ' ');
+  if (unit.ends_with('*')) unit.pop_back();
   const bool isBracketed = unit.size() > 2 && (unit.front() == '(' || unit.front() == '[');
   if (isBracketed) unit = unit.substr(1, unit.size() - 2);
   const bool isKnown = unitNamed(kUnitsOfTimes, unit) || unitNamed(kUnitsOfRates, unit) ||
@@ -86,23 +90,29 @@ std::string unitIn(std::string_view cell) {
   return isKnown ? unit : "";
 }
 
-/// Takes the line below the header if it states units, as Shimmer's tables have it: they are put in
-/// brackets behind the names.
-void takeUnits(CsvLayout& layout, const std::vector<HeadLine>& head, const HeadLine& header) {
-  const auto below = std::ranges::find_if(
-      head, [&](const HeadLine& line) { return !line.isComment && line.number > header.number; });
-  if (below == head.end()) return;
-  const auto cells = cellsOf(below->text, layout.separator);
-  const bool hasUnits =
-      std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
-  if (!hasUnits) return;
+/// Puts what a line below the header says of the columns behind their names: units in brackets, and
+/// whether they are calibrated. Returns false if it says neither.
+bool takeFacts(CsvLayout& layout, const std::vector<std::string_view>& cells) {
+  bool isTaken = false;
   for (std::size_t i = 0; i < std::min(cells.size(), layout.header.size()); ++i) {
     std::string& name = layout.header[i];
     const std::string unit = unitIn(cells[i]);
+    const bool isKind = cells[i] == "CAL" || cells[i] == "RAW";
+    isTaken |= isKind || !unit.empty();
+    if (isKind) name += " " + std::string(cells[i]);
     if (!unit.empty() && name.find_first_of("([") == name.npos) name += " (" + unit + ")";
   }
-  layout.rows = below->rest;
-  layout.line = below->number + 1;
+  return isTaken;
+}
+
+/// Takes the lines below the header that state units, as Shimmer's programs write them.
+void takeUnits(CsvLayout& layout, const std::vector<HeadLine>& head, const HeadLine& header) {
+  for (const HeadLine& line : head) {
+    if (line.isComment || line.number <= header.number) continue;
+    if (!takeFacts(layout, cellsOf(line.text, layout.separator))) return;
+    layout.rows = line.rest;
+    layout.line = line.number + 1;
+  }
 }
 
 /// Returns the line that names the cells of `row`; null if none does.

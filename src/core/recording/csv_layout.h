@@ -20,8 +20,9 @@ struct CsvLayout {
 /// first row is the first line that has more numbers than words, and the header the first line
 /// above it with as many cells, or else the last such line that begins with '#'. Without one the
 /// header is the first line that doesn't begin so; `line` is then that of the first row, too, and
-/// the header may not fit it. The units in a line below it are put in brackets behind the names.
-/// Letters of Latin-1 in the header become UTF-8.
+/// the header may not fit it. Lines that have the same in each cell are none. The units in lines
+/// below it are put in brackets behind the names, and so is "CAL" or "RAW". Letters of Latin-1 in
+/// the header become UTF-8.
 CsvLayout layoutOf(std::string_view text);
 
 }  // namespace rotatebook::recording

@@ -87,12 +87,12 @@ bool CsvTable::isText(std::size_t row, std::size_t column) const {
   return kindOf(cells_[row * header_.size() + column], separator_) == CellKind::Text;
 }
 
-double CsvTable::at(std::size_t row, std::size_t column) const {
+double CsvTable::at(std::size_t row, std::size_t column, const std::string& remedy) const {
   const std::string_view cell = cells_[row * header_.size() + column];
   if (const auto number = numberIn(cell, separator_)) return *number;
   failAt(row, "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
-                  quotedText(oneLine(cell, kLongestShown)) +
-                  ", which is no finite number; leave such rows out");
+                  quotedText(oneLine(cell, kLongestShown)) + ", which is no finite number; " +
+                  remedy);
 }
 
 std::optional<Decimal> CsvTable::decimalAt(std::size_t row, std::size_t column) const {

@@ -42,8 +42,10 @@ class CsvTable {
   bool isHole(std::size_t row, std::size_t column) const;
   /// Returns whether a cell has text that is neither a number nor NaN.
   bool isText(std::size_t row, std::size_t column) const;
-  /// Returns the finite number in a cell. Throws InputError "NAME:LINE: PROBLEM" if there is none.
-  double at(std::size_t row, std::size_t column) const;
+  /// Returns the finite number in a cell. Throws InputError "NAME:LINE: PROBLEM; REMEDY" if there
+  /// is none.
+  double at(std::size_t row, std::size_t column,
+            const std::string& remedy = "leave such rows out") const;
   /// Returns the finite number in a cell, see decimalIn(); nothing if there is none.
   std::optional<Decimal> decimalAt(std::size_t row, std::size_t column) const;
   /// Throws InputError "NAME:LINE: PROBLEM" with the line of `row`.

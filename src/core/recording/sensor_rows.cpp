@@ -40,6 +40,18 @@ Indices filledRows(const CsvTable& table, const Indices& columns) {
   return rows;
 }
 
+/// Throws InputError for a table in which no row has all of a sensor's numbers.
+[[noreturn]] void failEmpty(const CsvTable& table, const Indices& columns) {
+  for (const std::size_t column : columns) {
+    const Indices filled = filledRows(table, {column, column});
+    if (!filled.empty()) continue;
+    table.fail("the column " + quotedText(table.header()[column]) +
+               " has no number in any row; export it with them, or name another in "
+               "simulation.columns, or with --column");
+  }
+  table.fail("no row has all of the numbers that are read");
+}
+
 /// Throws InputError for a hole between the first and the last of a sensor's rows.
 void requireWhole(const CsvTable& table, const Indices& rows, const Indices& columns) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -120,8 +132,10 @@ SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsF
   if (hasMotion && !isMerged) requireWhole(table, result.motion, motion);
   if (needsForce && !isMerged) requireWhole(table, result.force, force);
   const Indices& needed = hasMotion ? result.motion : result.force;
-  // Without any reading, say what the first row lacks
-  if (needed.empty()) table.at(0, holeIn(table, 0, hasMotion ? motion : force).value());
+  if (needed.empty()) failEmpty(table, hasMotion ? motion : force);
+  // Dates and times of day
+  if (table.isText(needed.front(), columns.time))
+    table.at(needed.front(), columns.time, "write the times in s or ms");
   const Indices others = isMerged ? result.force : Indices{};
   Indices all;
   std::set_union(result.motion.begin(), result.motion.end(), others.begin(), others.end(),

@@ -115,6 +115,32 @@ TEST(Columns, KnowTheUnitsOfProgramsThatWriteNone) {
   EXPECT_EQ(motion.duration(), 0.01);
 }
 
+// Rows 20000 ticks of 0.1 ms or 1 us apart, at 0.5 and 50 Hz: MT Manager's are at 2 Hz and more.
+TEST(Columns, TellXsensTicksByTheirSteps) {
+  const auto text = [](long long step) {
+    return "SampleTimeFine,Gyr_X,Gyr_Y,Gyr_Z" + rowsAt("4294900000", step);
+  };
+  for (const long long step : {5, 10, 25, 100, 167, 1000, 4999})  // 2 kHz to 2 Hz
+    EXPECT_NEAR(durationOf(text(step)), 4e-4 * static_cast<double>(step), 1e-9) << step;
+  for (const long long step : {8333, 16'667, 33'333, 66'667, 1'000'000})  // 120 to 1 Hz
+    EXPECT_NEAR(durationOf(text(step)), 4e-6 * static_cast<double>(step), 1e-9) << step;
+  EXPECT_NEAR(durationOf(text(100), {.timeUnit = "us"}), 4e-4, 1e-9) << "it is stated";
+}
+
+TEST(Columns, SayWhichHasNoNumbers) {
+  const std::string names = "PacketCounter,SampleTimeFine,Gyr_X,Gyr_Y,Gyr_Z\n";
+  for (const char* hole : {"", "NaN"}) {
+    const std::string rest = std::string(",") + hole + ",0,0,2\n";
+    EXPECT_EQ(columnsRefusal(names + "1" + rest + "2" + rest + "3" + rest),
+              "m.csv: the column \"SampleTimeFine\" has no number in any row; export it with them, "
+              "or name another in simulation.columns, or with --column");
+  }
+  EXPECT_EQ(columnsRefusal("timestamp" + std::string(kRateNames) +
+                           "\n2024-05-01 12:00:00.00,0,0,2\n2024-05-01 12:00:00.01,0,0,2\n"),
+            "m.csv:2: the column \"timestamp\" has \"2024-05-01 12:00:00.00\", which is no finite "
+            "number; write the times in s or ms");
+}
+
 TEST(Columns, OfTheSameNameAreRefused) {
   const std::string rows = "\n0,0,0,2,1\n.1,0,0,2,1\n";
   EXPECT_EQ(

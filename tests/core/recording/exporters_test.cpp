@@ -55,6 +55,15 @@ const std::vector<Export>& exports() {
        "PacketCounter,time_ms,Gyr_X (rad/s),Gyr_Y (rad/s),Gyr_Z (rad/s),Quat_q0,"
        "Quat_q1,Quat_q2,Quat_q3\n7,0,0,0,2,1,0,0,0\n8,10,0,0,2,1,0,0,0\n",
        2, false},
+      {"MT Manager's rates",
+       "// General information: \n//  MT Manager version: 2022.2.0 \n// Coordinate system: ENU\n"
+       "PacketCounter\tSampleTimeFine\tAcc_X\tAcc_Y\tAcc_Z\tGyr_X\tGyr_Y\tGyr_Z\tRoll\n"
+       "7\t123400\t0\t0\t9.8\t0\t0\t2\t1\n8\t123500\t0\t0\t9.8\t0\t0\t2\t1\n"},
+      {"MT Manager's rates beside its attitudes",
+       "// Update Rate: 100.0Hz\nPacketCounter\tSampleTimeFine\tGyr_X\tGyr_Y\tGyr_Z\tQuat_q0\t"
+       "Quat_q1\tQuat_q2\tQuat_q3\n7\t0\t0\t0\t2\t1\t0\t0\t0\n"
+       "8\t100\t0\t0\t2\t0.99995\t0\t0\t0.0099998\n",
+       2, false},
       {"Movella DOT",
        "sep=,\nDeviceTag:,DOT 1\n\nPacketCounter,SampleTimeFine,Euler_X,Euler_Y,"
        "Euler_Z,Acc_X,Acc_Y,Acc_Z,Gyr_X,Gyr_Y,Gyr_Z\n"
@@ -66,6 +75,33 @@ const std::vector<Export>& exports() {
        "Shimmer_DB18_Gyro_X_CAL,Shimmer_DB18_Gyro_Y_CAL,Shimmer_DB18_Gyro_Z_CAL\n"
        "ms,m/(s^2),m/(s^2),m/(s^2),deg/s,deg/s,deg/s\n"
        "1.7E12,0,0,9.8,0,0,2\n1.70000000001E12,0,0,9.8,0,0,2\n",
+       2 * kDegree},
+      {"Shimmer's Consensys, of a unit that has a name",
+       "\"sep=\t\"\nS_Head_Timestamp_Shimmer_CAL\tS_Head_Timestamp_Unix_CAL\t"
+       "S_Head_Accel_WR_X_CAL\tS_Head_Accel_WR_Y_CAL\tS_Head_Accel_WR_Z_CAL\t"
+       "S_Head_Gyro_X_CAL\tS_Head_Gyro_Y_CAL\tS_Head_Gyro_Z_CAL\t\n"
+       "ms\tms\tm/(s^2)\tm/(s^2)\tm/(s^2)\tdeg/s\tdeg/s\tdeg/s\t\n"
+       "5\t1.7E12\t0\t0\t9.8\t0\t0\t2\t\n15\t1.70000000001E12\t0\t0\t9.8\t0\t0\t2\t\n",
+       2 * kDegree},
+      {"Shimmer's units, synchronised",
+       "sep=,\nShimmer_DB18_TimestampSync_Unix_CAL,Shimmer_DB18_Gyro_X_CAL,"
+       "Shimmer_DB18_Gyro_Y_CAL,Shimmer_DB18_Gyro_Z_CAL\nms,deg/s,deg/s,deg/s\n"
+       "1.7E12,0,0,2\n1.70000000001E12,0,0,2\n",
+       2 * kDegree},
+      {"ShimmerConnect",
+       "Shimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\n"
+       "Timestamp\tLow Noise Accelerometer X\tLow Noise Accelerometer Y\t"
+       "Low Noise Accelerometer Z\tGyroscope X\tGyroscope Y\tGyroscope Z\n"
+       "CAL\tCAL\tCAL\tCAL\tCAL\tCAL\tCAL\n"
+       "mSecs\tm/(sec^2)*\tm/(sec^2)*\tm/(sec^2)*\tdeg/sec*\tdeg/sec*\tdeg/sec*\n"
+       "5\t0\t0\t9.8\t0\t0\t2\n15\t0\t0\t9.8\t0\t0\t2\n",
+       2 * kDegree},
+      {"ShimmerConnect, with raw readings",
+       "Shimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\tShimmer 1\n"
+       "Timestamp\tTimestamp\tGyroscope X\tGyroscope X\tGyroscope Y\tGyroscope Y\tGyroscope Z\t"
+       "Gyroscope Z\nRAW\tCAL\tRAW\tCAL\tRAW\tCAL\tRAW\tCAL\n"
+       "no units\tmSecs\tno units\tdeg/sec\tno units\tdeg/sec\tno units\tdeg/sec\n"
+       "164\t5\t7\t0\t7\t0\t9\t2\n492\t15\t7\t0\t7\t0\t9\t2\n",
        2 * kDegree},
       {"SensorLog",
        "loggingTime(txt),loggingSample(N),motionYaw(rad),motionRotationRateX(rad/s),"

@@ -46,7 +46,7 @@ TEST(Inertial, NamesTheRowThatLacksAReadingInTheMiddle) {
   EXPECT_THAT(inertialRefusal(std::string(kBoth) + "1,0,0,2,0,0,9\n2,0,0,2,,0,9\n3,0,0,2,0,0,9\n"),
               HasSubstr("m.csv:3: the column \"ax (m/s^2)\" has \"\""));
   EXPECT_THAT(inertialRefusal(std::string(kRateHeader) + "1,NaN,NaN,NaN\n2,NaN,NaN,NaN\n"),
-              HasSubstr("m.csv:2: the column \"wx (rad/s)\" has \"NaN\""));
+              HasSubstr("m.csv: the column \"wx (rad/s)\" has no number in any row; export it"));
 }
 
 TEST(Inertial, TakesTwoClocksOfAMergedTable) {

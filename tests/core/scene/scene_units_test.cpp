@@ -14,6 +14,7 @@ namespace rotatebook::scene {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(SceneUnits, AreReadByTheKeysOfEachDimension) {
   const Scene scene = parseScene(
@@ -59,6 +60,20 @@ TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {
             "least one other than 0, not \"1 deg\"" +
                 a + "\"rad/s\", \"deg/s\", \"°/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
   EXPECT_THAT(errorOf("study.tilts = ['1 m']"), HasSubstr("\"rad\", \"deg\", \"turn\" or \"°\""));
+}
+
+// A grad is a right angle's hundredth, no radian; a milligram no gram.
+TEST(SceneUnits, ThatArentReadAreNotTakenForOthers) {
+  EXPECT_EQ(
+      errorOfText("[initial]\nangular_velocity = [0, 0, 6]\ntilt = ['1 grad', 'x']"),
+      "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"1 grad\"; a text "
+      "is a number and a unit, \"rad\", \"deg\", \"turn\" or \"°\", such as \"1.5 rad\"");
+  for (const char* text : {"body.mass = '3 mg'", "clip.duration = '3 us'", "body.size = ['1 um']",
+                           "study.tilts = ['1 mrad']", "study.tilts = ['1 gon']"})
+    EXPECT_THAT(errorOf(text), Not(HasSubstr("did you mean"))) << text;
+  EXPECT_THAT(errorOf("study.tilts = ['1 radd']"), HasSubstr("did you mean \"rad\"?"));
+  EXPECT_THAT(errorOfText("initial.angular_velocity = '48 rad/min'"),
+              Not(HasSubstr("did you mean")));
 }
 
 TEST(SceneUnits, KeepTheRangeOfTheKey) {

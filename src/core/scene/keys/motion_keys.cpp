@@ -92,7 +92,7 @@ physics::SpinAbout aboutFrom(const ValueReader& value, physics::SpinKind kind) {
              (isSpeed      ? describe(value.node())
               : isVelocity ? "\"48 rpm\""
                            : "0.03") +
-             " }" + (isSpeed || !isVelocity ? "" : didYouMean(unitIn(text), units)));
+             " }" + (!isVelocity || isUnit(unitIn(text)) ? "" : didYouMean(unitIn(text), units)));
 }
 
 std::string aboutText(const physics::SpinAbout& about) {

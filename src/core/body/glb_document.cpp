@@ -43,8 +43,10 @@ Chunks chunksOf(std::string_view bytes) {
     if (kind == kJsonChunk && chunks.json.empty()) chunks.json = chunk;
     if (kind == kBinaryChunk && chunks.binary.empty()) chunks.binary = chunk;
   }
-  if (chunks.json.empty() || chunks.json.size() > kMaxJson)
-    throw InputError("it has no description in JSON, or one of more than 16 MiB");
+  if (chunks.json.empty()) throw InputError("it has no description in JSON; export it again");
+  if (chunks.json.size() > kMaxJson) {
+    throw InputError("its description has more than 16 MiB; export it with its meshes joined");
+  }
   return chunks;
 }
 
@@ -193,6 +195,8 @@ GlbDocument::GlbDocument(std::string_view bytes) {
   Json::sax_parse(chunks.json, &builder);
   json_ = builder.take();
   if (!json_.is_object()) throw InputError("its description isn't JSON; export it again");
+  for (const Json& name : member(json_, "extensionsRequired"))
+    if (name.is_string()) required_.insert(name.get<std::string>());
   for (std::size_t i = 0; i < size("buffers"); ++i)
     decoded_.push_back(dataOfUri(member(at("buffers", i), "uri")).value_or(""));
 }

@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +30,8 @@ class GlbDocument {
   static std::optional<std::size_t> count(const Json& json, const char* name);
 
   const Json& root() const { return json_; }
+  /// Returns the names of the extensions without which the file can't be read.
+  const std::set<std::string, std::less<>>& required() const { return required_; }
   std::size_t size(const char* list) const;
   const Json& at(const char* list, std::size_t index) const;
 
@@ -38,6 +42,7 @@ class GlbDocument {
   std::string_view buffer(std::size_t index) const;
 
   Json json_;
+  std::set<std::string, std::less<>> required_;
   std::string_view binary_;
   std::vector<std::string> decoded_;  // The data of buffers that are in the description, by number.
 };

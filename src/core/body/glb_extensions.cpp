@@ -108,14 +108,8 @@ bool isOneOf(const std::string_view (&names)[kCount], std::string_view name) {
 /// Returns the extensions that a document needs and that aren't known.
 std::set<std::string_view> unknownIn(const GlbDocument& document) {
   std::set<std::string_view> unknown;
-  for (const Json& json : GlbDocument::member(document.root(), "extensionsRequired")) {
-    if (!json.is_string()) continue;
-    const std::string& name = json.get_ref<const std::string&>();
-    if (isOneOf(kCompressions, name)) {
-      throw InputError("it needs the extension " + quotedText(name) +
-                       ", whose meshes aren't read; export it without compression");
-    }
-    if (!isOneOf(kHarmless, name)) unknown.insert(name);
+  for (const std::string& name : document.required()) {
+    if (!isOneOf(kHarmless, name) && !isOneOf(kCompressions, name)) unknown.insert(name);
   }
   return unknown;
 }
@@ -171,6 +165,16 @@ const Json& extensionOf(const Json& json, const char* name) {
 
 void requireKnownExtensions(const GlbDocument& document) {
   UnknownExtensions(document).refuseInShapes();
+}
+
+void requireUncompressed(const GlbDocument& document, const Json& json, const std::string& what) {
+  if (GlbDocument::member(json, "extensions").is_null()) return;
+  for (const std::string_view name : kCompressions) {
+    if (!document.required().contains(name)) continue;
+    if (extensionOf(json, std::string(name).c_str()).is_null()) continue;
+    throw InputError(what + " is compressed by the extension " + quotedText(name) +
+                     ", which isn't read; export it without compression");
+  }
 }
 
 }  // namespace rotatebook::body

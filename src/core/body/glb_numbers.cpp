@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "body/glb_extensions.h"
 #include "body/mesh_words.h"
 #include "body/polygon.h"
 
@@ -42,6 +43,7 @@ std::string_view GlbNumbers::rowsIn(const GlbDocument& document, const Json& jso
                                     std::size_t count, std::size_t element, std::size_t& stride,
                                     const std::string& what) {
   const std::size_t index = GlbDocument::count(json, "bufferView").value_or(0);
+  requireUncompressed(document, document.at("bufferViews", index), what);
   const std::string_view bytes = document.view(index);
   stride = GlbDocument::count(document.at("bufferViews", index), "byteStride").value_or(element);
   const std::size_t begin = GlbDocument::count(json, "byteOffset").value_or(0);
@@ -55,6 +57,7 @@ std::string_view GlbNumbers::rowsIn(const GlbDocument& document, const Json& jso
 GlbNumbers::GlbNumbers(const GlbDocument& document, std::size_t index, const Wanted& wanted) {
   const Json& accessor = document.at("accessors", index);
   const std::string name = "accessor " + std::to_string(index);
+  requireUncompressed(document, accessor, name);
   const Json& kind = GlbDocument::member(accessor, "type");
   if (!kind.is_string() || kind.get_ref<const std::string&>() != wanted.type)
     throw InputError(name + " isn't of the type " + std::string(wanted.type));

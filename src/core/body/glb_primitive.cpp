@@ -89,7 +89,8 @@ std::vector<std::uint32_t> cornersOf(const GlbDocument& document, const Json& pr
     throw InputError("a mesh is of the mode " + std::to_string(mode) + "; export triangles (4)");
   if (mode != kTriangleList) corners = unrolled(corners, mode == kFan);
   if (corners.size() % 3 != 0)
-    throw InputError("a list of triangles has " + std::to_string(corners.size()) + " corners");
+    throw InputError("a list of triangles has " + std::to_string(corners.size()) +
+                     " corners, no multiple of 3; export the file again");
   for (std::size_t i = 0; isMirrored && i < corners.size(); i += 3)
     std::swap(corners[i + 1], corners[i + 2]);
   return corners;

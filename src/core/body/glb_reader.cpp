@@ -92,6 +92,7 @@ class Collector {
         ++leftOut_.flat;
         continue;
       }
+      requireUncompressed(document_, primitive, "a mesh");
       requireRoom(primitive);
       std::vector<Eigen::Vector3d> points = positions_.of(primitive, weights);
       const bool isMirrored = putInPlace(node, primitive, place, points);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "body/foreign_files.h"
 #include "body/mesh_words.h"
 
 namespace rotatebook::body {
@@ -16,9 +17,9 @@ NotedMesh withoutNotes(std::string_view bytes) {
   return {kRead(bytes)};
 }
 
-template <TriangleMesh (*kRead)(std::string_view)>
+template <NotedMesh (*kRead)(std::string_view)>
 Surface plainSurface(std::string_view bytes) {
-  return {.mesh = kRead(bytes)};
+  return {.mesh = kRead(bytes).mesh};
 }
 
 struct Format {
@@ -26,9 +27,9 @@ struct Format {
   NotedMesh (*read)(std::string_view);
   Surface (*readSurface)(std::string_view);
 };
-constexpr Format kFormats[] = {{".obj", withoutNotes<readObj>, plainSurface<readObj>},
-                               {".stl", withoutNotes<readStl>, plainSurface<readStl>},
-                               {".ply", withoutNotes<readPly>, plainSurface<readPly>},
+constexpr Format kFormats[] = {{".obj", withoutNotes<readObj>, plainSurface<withoutNotes<readObj>>},
+                               {".stl", readStl, plainSurface<readStl>},
+                               {".ply", withoutNotes<readPly>, plainSurface<withoutNotes<readPly>>},
                                {".glb", readGlb, readGlbSurface}};
 
 const Format* formatOf(std::string_view name) {
@@ -39,9 +40,10 @@ const Format* formatOf(std::string_view name) {
   return nullptr;
 }
 
-/// Returns what `read` makes by the format of a name. Throws InputError that begins with it.
+/// Returns what `read` makes of a file by the format of its name. Throws InputError that begins
+/// with it.
 template <typename Read>
-auto atName(std::string_view name, const Read& read) {
+auto atName(std::string_view name, std::string_view bytes, const Read& read) {
   const std::string file = oneLine(name, 200);
   const Format* format = formatOf(name);
   if (format == nullptr) {
@@ -51,7 +53,8 @@ auto atName(std::string_view name, const Read& read) {
   try {
     return read(*format);
   } catch (const InputError& error) {
-    throw InputError(file + ": " + error.what());
+    const std::string other = otherKind(format->ending, bytes);
+    throw InputError(file + ": " + (other.empty() ? error.what() : other));
   }
 }
 
@@ -62,7 +65,7 @@ bool isMeshName(std::string_view name) {
 }
 
 ClosedMesh readMesh(std::string_view name, std::string_view bytes) {
-  return atName(name, [&](const Format& format) {
+  return atName(name, bytes, [&](const Format& format) {
     NotedMesh read = format.read(bytes);
     Surface surface{.mesh = std::move(read.mesh)};
     Closing closing = closeSurface(surface);
@@ -72,7 +75,7 @@ ClosedMesh readMesh(std::string_view name, std::string_view bytes) {
 }
 
 Surface readSurface(std::string_view name, std::string_view bytes) {
-  return atName(name, [&](const Format& format) {
+  return atName(name, bytes, [&](const Format& format) {
     Surface surface = format.readSurface(bytes);
     closeSurface(surface);
     return surface;

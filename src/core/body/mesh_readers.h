@@ -20,9 +20,6 @@ namespace rotatebook::body {
 /// skipped.
 TriangleMesh readObj(std::string_view text);
 
-/// Reads STL, text or binary; words in any case.
-TriangleMesh readStl(std::string_view bytes);
-
 /// Reads Stanford's PLY, text or binary, of either byte order: the elements `vertex` with x, y and
 /// z, and `face` or `tristrips` with lists of vertices, in any order.
 TriangleMesh readPly(std::string_view bytes);
@@ -32,6 +29,9 @@ struct NotedMesh {
   TriangleMesh mesh;
   std::vector<std::string> notes{};
 };
+
+/// Reads STL, text or binary; words in any case.
+NotedMesh readStl(std::string_view bytes);
 
 /// Reads glTF 2.0 in one file (.glb): the triangles of the scene that it shows, or of all its
 /// nodes, in their places, with the weights of their morph targets and in the pose of their
@@ -43,7 +43,8 @@ NotedMesh readGlb(std::string_view bytes);
 Surface readGlbSurface(std::string_view bytes);
 
 /// Reads a mesh by the ending of its name, .obj, .stl, .ply or .glb, and closes it. Throws
-/// InputError, which begins with the name, also for other endings, and for what isn't closed.
+/// InputError, which begins with the name, also for other endings, and for what isn't closed; what
+/// can't be read and is of another kind is called that.
 ClosedMesh readMesh(std::string_view name, std::string_view bytes);
 
 /// Reads a surface as readMesh() does; but for GLB, all of it has the first, neutral, material.

@@ -106,12 +106,16 @@ std::string_view MeshWords::wordOnAnyLine() {
   return found;
 }
 
+std::string noNumber(std::string_view word) {
+  if (word.empty()) return " is missing";
+  return " must be a number, and is " + quotedText(oneLine(word, 40)) +
+         (word.find(',') != word.npos ? "; write decimal points" : "");
+}
+
 double MeshWords::number(const char* what) {
   const std::string_view found = word();
   if (const auto value = numberIn(found)) return *value;
-  fail(std::string(what) + (found.empty()
-                                ? " is missing"
-                                : " must be a number, and is " + quotedText(oneLine(found, 40))));
+  fail(what + noNumber(found));
 }
 
 std::int64_t MeshWords::integer(const char* what) {

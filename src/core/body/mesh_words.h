@@ -64,6 +64,10 @@ void refuseUtf16(std::string_view text);
 /// Returns the text with small letters in place of A to Z.
 std::string lowerCase(std::string_view text);
 
+/// Returns what is wrong with a word that should be a number, behind what it is: " must be a
+/// number, and is "3,5"; write decimal points".
+std::string noNumber(std::string_view word);
+
 std::optional<double> numberIn(std::string_view word);
 std::optional<std::int64_t> integerIn(std::string_view word);
 

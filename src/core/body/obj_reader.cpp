@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "base/error.h"
 #include "base/file_text.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
@@ -20,7 +21,7 @@ std::uint32_t cornerOf(std::string_view word, std::size_t points, const MeshWord
   const std::int64_t index = *number < 0 ? count + *number : *number - 1;
   if (index < 0 || index >= count) {
     words.fail("the face names point " + std::to_string(*number) + ", but " +
-               std::to_string(count) + " are before it");
+               std::to_string(count) + " are before it; points must be before their faces");
   }
   return static_cast<std::uint32_t>(index);
 }
@@ -29,7 +30,11 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
   std::vector<std::uint32_t> corners;
   for (std::string_view word = words.word(); !word.empty(); word = words.word())
     corners.push_back(cornerOf(word, mesh.points.size(), words));
-  if (corners.size() < 3) words.fail("a face must have three corners or more");
+  if (corners.size() < 3) {
+    words.fail("a face has " + std::to_string(corners.size()) +
+               (corners.size() == 1 ? " corner" : " corners") +
+               "; it must have three or more: take it away");
+  }
   addPolygon(corners, mesh);
 }
 
@@ -51,6 +56,7 @@ TriangleMesh readObj(std::string_view bytes) {
       readFace(words, mesh);
     }
   } while (words.nextLine());
+  if (mesh.points.empty()) throw InputError("it has no points (\"v\"): not an OBJ file");
   return mesh;
 }
 

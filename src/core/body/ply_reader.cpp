@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/file_text.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
@@ -82,12 +83,17 @@ bool readHeaderLine(MeshWords& words, Header& header) {
   } else if (kind == "element") {
     const std::string_view name = words.word();
     const std::int64_t count = words.integer("the number of elements");
-    if (count < 0 || header.elements.size() >= kMaxProperties) words.fail("not a PLY header");
+    if (count < 0) words.fail("there can't be " + std::to_string(count) + " elements");
+    if (header.elements.size() >= kMaxProperties) {
+      words.fail("more than " + std::to_string(kMaxProperties) +
+                 " kinds of elements; leave out what is neither vertex nor face");
+    }
     header.elements.push_back({name, count});
   } else if (kind == "property") {
     if (header.elements.empty()) words.fail("a property before the first element");
     if (header.elements.back().properties.size() >= kMaxProperties)
-      words.fail("more than " + std::to_string(kMaxProperties) + " properties");
+      words.fail("more than " + std::to_string(kMaxProperties) +
+                 " properties; leave out what is neither x, y, z nor vertex_indices");
     header.elements.back().properties.push_back(readProperty(words));
   } else if (kind != "ply" && kind != "comment" && kind != "obj_info" && !kind.empty()) {
     words.fail("not a line of a PLY header: " + quotedText(oneLine(kind, 40)));
@@ -156,7 +162,7 @@ class Numbers {
     const std::string_view word = wordAfterComments();
     if (word.empty()) fail("the file ends within its data; is it whole?");
     const auto number = numberIn(word);
-    if (!number) fail("a number is expected here, not " + quotedText(oneLine(word, 40)));
+    if (!number) fail("this" + noNumber(word));
     return *number;
   }
 
@@ -170,7 +176,9 @@ std::int64_t lengthOf(const Property& property, Numbers& numbers, std::int64_t m
   if (!property.count) return 1;
   const double length = numbers.next(*property.count);
   if (!(length >= 0 && length <= static_cast<double>(most) && length == std::floor(length)))
-    numbers.fail("a list must have 0 to " + std::to_string(most) + " numbers");
+    numbers.fail("a list has " + shortestText(length) + " numbers, and must have 0 to " +
+                 std::to_string(most) +
+                 (length > static_cast<double>(most) ? "; export triangles" : "; export it again"));
   return static_cast<std::int64_t>(length);
 }
 
@@ -247,7 +255,11 @@ class MeshBuilder {
     const std::int64_t length = lengthOf(property, numbers_, kMaxCorners);
     for (std::int64_t i = 0; i < length; ++i)
       corners.push_back(vertexOf(numbers_.next(property.type)));
-    if (corners.size() < 3) numbers_.fail("a face must have three corners or more");
+    if (corners.size() < 3) {
+      numbers_.fail("a face has " + std::to_string(corners.size()) +
+                    (corners.size() == 1 ? " corner" : " corners") +
+                    "; it must have three or more: take it away");
+    }
     if (static_cast<std::int64_t>(mesh_.points.size()) == vertices_) {
       addPolygon(corners, mesh_);
       return;
@@ -283,7 +295,7 @@ class MeshBuilder {
     const bool isVertex = number >= 0 && number < static_cast<double>(vertices_);
     if (!isVertex || number != std::floor(number)) {
       numbers_.fail("a face names a vertex that doesn't exist; there are " +
-                    std::to_string(vertices_));
+                    std::to_string(vertices_) + ": export it again");
     }
     requireFewPoints(static_cast<std::size_t>(number));
     return static_cast<std::uint32_t>(number);
@@ -310,11 +322,12 @@ void requireNames(const Header& header) {
       return std::ranges::any_of(element.properties, isWanted);
     };
     if (element.name == "face" && !has(hasCorners))
-      throw InputError("its faces have no list \"vertex_indices\" of corners; export it again");
+      throw InputError("its faces have no list \"vertex_indices\"; name that of their corners so");
     for (const std::string_view axis : {"x", "y", "z"}) {
       if (element.name != "vertex" || has([&](const Property& p) { return p.name == axis; }))
         continue;
-      throw InputError("its vertices have no " + std::string(axis) + "; export it again");
+      throw InputError("its vertices have no property " + quotedText(axis) +
+                       "; name their coordinates x, y and z");
     }
   }
 }

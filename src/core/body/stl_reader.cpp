@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/file_text.h"
 #include "base/text.h"
+#include "body/foreign_files.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
 #include "body/polygon.h"
@@ -80,8 +81,10 @@ void expect(MeshWords& words, std::string_view wanted) {
 
 /// Reads a facet after its first word.
 void readFacet(MeshWords& words, TriangleMesh& mesh) {
-  words.restOfLine();  // Its normal follows from its corners
-  expect(words, "outer");
+  // Its normal follows from its corners
+  std::string word = "normal";
+  while (!word.empty() && word != "outer") word = lowerCase(words.word());
+  if (word.empty()) expect(words, "outer");
   expect(words, "loop");
   Eigen::Vector3d corners[3];
   for (Eigen::Vector3d& corner : corners) {
@@ -95,27 +98,32 @@ void readFacet(MeshWords& words, TriangleMesh& mesh) {
   addTriangle(corners, mesh);
 }
 
-TriangleMesh readTextStl(std::string_view text) {
-  TriangleMesh mesh;
-  MeshWords words(text);
-  for (std::string word = keyword(words); !word.empty(); word = keyword(words)) {
-    if (word == "facet") {
-      readFacet(words, mesh);
-    } else if (word == "solid" || word == "endsolid") {
-      words.restOfLine();
-    } else {
-      failAt(words, "facet", word);
-    }
+/// Skips a solid's name, up to the line's end or to a facet behind it. Returns whether that is one,
+/// of which the first word is then read, too.
+bool endsAtFacet(MeshWords& words) {
+  std::string before, word = lowerCase(words.word());
+  while (!word.empty() && !(before == "facet" && word == "normal")) {
+    before = word;
+    word = lowerCase(words.word());
   }
-  return mesh;
+  return !word.empty();
 }
 
-/// Returns whether a file has as many bytes as its header says.
-bool hasSizeOfHeader(std::string_view bytes) {
-  if (bytes.size() < kHeader) return false;
-  const std::size_t count = MeshBytes(bytes.substr(kHeader - 4)).next<std::uint32_t>();
-  const std::size_t size = bytes.size() - kHeader;
-  return size % kTriangle == 0 && size / kTriangle == count;
+NotedMesh readTextStl(std::string_view text) {
+  NotedMesh read;
+  MeshWords words(text);
+  bool hasEnd = false;
+  for (std::string word = keyword(words); !word.empty(); word = keyword(words)) {
+    const bool isName = word == "solid" || word == "endsolid";
+    if (!isName && word != "facet") failAt(words, "facet", word);
+    hasEnd = word == "endsolid";
+    if (!isName || endsAtFacet(words)) readFacet(words, read.mesh);
+  }
+  if (!hasEnd) {
+    read.notes.emplace_back(
+        "it has no \"endsolid\" behind its last triangle: others may be missing");
+  }
+  return read;
 }
 
 /// Returns whether a file has a byte in its beginning that no text has.
@@ -129,13 +137,13 @@ bool hasBinaryByte(std::string_view bytes) {
 
 }  // namespace
 
-TriangleMesh readStl(std::string_view bytes) {
+NotedMesh readStl(std::string_view bytes) {
   // Some binary files begin with "solid", too
-  if (hasSizeOfHeader(bytes)) return readBinaryStl(bytes);
+  if (hasSizeOfStl(bytes)) return {readBinaryStl(bytes)};
   std::string decoded;
   const std::string_view file = textOfFile(bytes, decoded);
   refuseUtf16(file);
-  if (hasBinaryByte(file)) return readBinaryStl(bytes);
+  if (hasBinaryByte(file)) return {readBinaryStl(bytes)};
   const std::string_view text = withoutPadding(file);
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid") {

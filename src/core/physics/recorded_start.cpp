@@ -12,9 +12,13 @@ void takeRecording(MotionSettings& settings,
                    const std::string& name) {
   const Eigen::Vector3d spin = recording->moments().front().angularVelocity;
   if (spin.isZero(0)) {
-    throw InputError(name +
-                     ": the body is at rest at first; say when its motion starts with "
-                     "simulation.from, or --from");
+    const recording::RecordedMotion* sound = recording->sound();
+    const bool isHeld = sound != nullptr && !sound->moments().front().angularVelocity.isZero(0);
+    throw InputError(name + (isHeld ? ": the body moves, but the first rows repeat one attitude; "
+                                      "leave out rows that repeat the one before, or state where "
+                                      "these end in simulation.from, or with --from"
+                                    : ": the body is at rest at first; say when its motion starts "
+                                      "with simulation.from, or --from"));
   }
   settings.simulation.model = Model::Recorded;
   settings.simulation.recorded.motion = std::move(recording);

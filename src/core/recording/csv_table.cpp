@@ -18,6 +18,7 @@ struct Foreign {
   std::string_view beginning, problem;
 };
 
+constexpr std::string_view kUtf32 = "its text is in UTF-32; save it as UTF-8 (\"CSV UTF-8\")";
 constexpr Foreign kForeign[]{
     {"\xD0\xCF\x11\xE0",
      "a workbook (.xls), which isn't read; export the recording as CSV, of phyphox's formats "
@@ -25,6 +26,13 @@ constexpr Foreign kForeign[]{
     {"PK\x03\x04",
      "a ZIP archive or a workbook (.xlsx), but a table of text is read here; unpack "
      "it and name the table, or save the workbook as CSV"},
+    {"\x1F\x8B", "compressed by gzip; unpack it"},
+    {"version https://git-lfs",
+     "a pointer of git-lfs in the place of the table; fetch that with \"git lfs pull\""},
+    {"<!DOCTYPE", "a web page; download the table that it shows"},
+    {"<html", "a web page; download the table that it shows"},
+    {std::string_view("\xFF\xFE\0\0", 4), kUtf32},
+    {std::string_view("\0\0\xFE\xFF", 4), kUtf32},
 };
 
 std::string cellsText(std::size_t count) {
@@ -60,6 +68,9 @@ void CsvTable::requireText(std::string_view bytes) const {
   for (const Foreign& kind : kForeign) {
     if (bytes.starts_with(kind.beginning)) fail(std::string(kind.problem));
   }
+  const std::string_view first = bytes.substr(0, 4), three("\0\0\0", 3);
+  if (first.size() == 4 && first.ends_with(three) != first.starts_with(three))
+    fail(std::string(kUtf32));
   if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0')) {
     fail("its text is in UTF-16 without its byte order mark; save it as UTF-8 (\"CSV UTF-8\")");
   }

@@ -14,7 +14,7 @@ bool repeats(const std::vector<Rate>& rates, std::size_t index) {
 /// Returns the number of rows for which readings are held; 1 if they aren't.
 std::size_t heldRows(const std::vector<Rate>& rates) {
   constexpr double kTurning = 1;  // [rad/s]
-  constexpr std::size_t kMostRows = 10, kFewestReadings = 5;
+  constexpr std::size_t kMostRows = 100, kFewestReadings = 5;
   constexpr std::size_t kPart = 10;  // of the rows that repeat the one before: a tenth
   std::size_t rows = 0, repeated = 0, run = 0, longest = 1;
   for (std::size_t i = 0; i < rates.size(); ++i) {
@@ -44,7 +44,7 @@ std::string dropHeldReadings(std::vector<Rate>& rates) {
   const std::string all = std::to_string(rates.size());
   rates = std::move(kept);
   return "readings are repeated in up to " + std::to_string(held) +
-         " rows, as the table is faster than the gyroscope: the first row of each is taken, " +
+         " rows, as where a table is faster than the gyroscope: the first row of each is taken, " +
          std::to_string(rates.size()) + " of " + all;
 }
 

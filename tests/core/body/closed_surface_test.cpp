@@ -1,5 +1,6 @@
 #include "body/closed_surface.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -94,6 +95,87 @@ TEST(ClosedSurface, HasNoPointOnAnEdge) {
   EXPECT_THAT(judged(mesh),
               HasSubstr("to (1, 0, 0) belongs to triangle 1 alone: the point (0.5, 0, "
                         "0) lies on it; divide the edge there, as its neighbours do"));
+}
+
+/// Returns the mesh with its points in the opposite order.
+TriangleMesh turnedRound(TriangleMesh mesh) {
+  const auto last = static_cast<std::uint32_t>(mesh.points.size() - 1);
+  std::reverse(mesh.points.begin(), mesh.points.end());
+  for (auto& triangle : mesh.triangles)
+    for (std::uint32_t& point : triangle) point = last - point;
+  return mesh;
+}
+
+// The sides of one edge are divided at other places, so that each lies on the other's edge.
+TEST(ClosedSurface, HasNoEndOfAnEdgeOnAnother) {
+  TriangleMesh mesh = testing::tetrahedronMesh();
+  mesh.points.emplace_back(0.375, 0, 0);
+  mesh.points.emplace_back(0.5, 0, 0);
+  mesh.triangles[1] = {0, 4, 3};
+  mesh.triangles.push_back({4, 1, 3});
+  for (auto& triangle : mesh.triangles) {  // the other side of the edge from 0 to 1
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (triangle[i] != 1 || triangle[(i + 1) % 3] != 0) continue;
+      const std::uint32_t opposite = triangle[(i + 2) % 3];
+      triangle = {1, 5, opposite};
+      mesh.triangles.push_back({5, 0, opposite});
+      break;
+    }
+  }
+  ASSERT_EQ(mesh.triangles.size(), 6U);
+  for (const TriangleMesh& one : {mesh, turnedRound(mesh)}) {
+    EXPECT_THAT(judged(one),
+                AllOf(HasSubstr(" alone: its end ("), HasSubstr(" lies on the edge from ("),
+                      HasSubstr("; divide that there, too")));
+  }
+}
+
+// Two points that should be one, with an edge between them.
+TEST(ClosedSurface, HasNoPointsSoNearEachOther) {
+  TriangleMesh mesh = testing::tetrahedronMesh();
+  mesh.points.emplace_back(1e-7, 0, 0);
+  mesh.triangles[0] = {4, 2, 1};
+  mesh.triangles.push_back({0, 2, 4});
+  EXPECT_THAT(judged(mesh), HasSubstr("merge points that are so near each other"));
+}
+
+// In whichever order the points are, the edges of a point on another aren't called a hole.
+TEST(ClosedSurface, CallsNoPointOnAnEdgeAHole) {
+  TriangleMesh mesh = testing::tetrahedronMesh();
+  mesh.points.emplace_back(0.5, 0, 0);
+  mesh.triangles[1] = {0, 4, 3};
+  mesh.triangles.push_back({4, 1, 3});
+  EXPECT_THAT(judged(mesh), HasSubstr("the point (0.5, 0, 0) lies on it"));
+  EXPECT_THAT(judged(turnedRound(mesh)), HasSubstr("lies on "));
+  // Half of the divided triangle is missing, too
+  mesh.triangles.pop_back();
+  EXPECT_THAT(judged(mesh), HasSubstr("the point (0.5, 0, 0) lies on it"));
+}
+
+// Triangles of a hundred-thousandth of the mesh, one of which is missing.
+TEST(ClosedSurface, CallsASmallHoleAHole) {
+  for (const double size : {1e-2, 1e-3, 1e-4}) {
+    TriangleMesh mesh = testing::tetrahedronMesh();
+    TriangleMesh small = testing::tetrahedronMesh();
+    for (auto& point : small.points) point = 5 * Eigen::Vector3d::Ones() + size * point;
+    small.triangles.pop_back();
+    append(small, mesh);
+    EXPECT_THAT(judged(mesh), HasSubstr("the surface is open there; close the hole")) << size;
+  }
+}
+
+// 12 boxes with a face doubled, back to back: the second one is too many.
+TEST(ClosedSurface, HasNoTriangleOnTheBackOfAnother) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 2, 3);
+    const auto [a, b, c] = mesh.triangles[i];
+    mesh.triangles.push_back({a, c, b});
+    EXPECT_EQ(judged(mesh), "triangles " + std::to_string(i + 1) +
+                                " and 13 lie on each other and face opposite ways; take triangle "
+                                "13 away");
+    mesh.triangles.pop_back();
+    EXPECT_EQ(judged(mesh), "accepted");
+  }
 }
 
 TEST(ClosedSurface, NeedsTriangles) {

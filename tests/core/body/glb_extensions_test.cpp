@@ -104,11 +104,46 @@ TEST(GlbExtensions, ThatMayChangeAShapeAreRefusedInIt) {
   EXPECT_EQ(saidOf(file), "accepted") << "it isn't needed";
 }
 
-TEST(GlbExtensions, OfCompressionAreRefusedWithTheirRemedy) {
-  for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
-                           "KHR_meshopt_compression", "WEB3D_quantized_attributes"}) {
-    EXPECT_THAT(saidOf(needing(name)),
-                AllOf(HasSubstr(name), HasSubstr("export it without compression")));
+constexpr const char* kCompressions[] = {"KHR_draco_mesh_compression", "MPEG_primitive_V3C",
+                                         "EXT_meshopt_compression", "KHR_meshopt_compression",
+                                         "WEB3D_quantized_attributes"};
+
+/// Returns the file with an extension in its primitive (0), or in the view or accessor of its
+/// points.
+std::string compressed(const std::string& name, std::size_t part) {
+  const std::string used = R"(, "extensions": {")" + name + "\": {}}";
+  BoxFile file = needing(name);
+  if (part == 0) file.primitive = used;
+  std::string bytes = file.bytes();
+  const std::string before = part == 1 ? R"({"byteLength": 96)" : R"("count": 8, "type": "VEC3")";
+  if (part > 0) bytes.insert(bytes.find(before) + before.size(), used);
+  testing::restateLengths(bytes, used.size() * (part > 0 ? 1 : 0));
+  return bytes;
+}
+
+TEST(GlbExtensions, OfCompressionAreRefusedWhereTheyAreUsed) {
+  for (const std::string name : kCompressions) {
+    EXPECT_EQ(saidOf(needing(name)), "accepted") << name << ": it is listed alone";
+    const char* const parts[] = {"a mesh", "accessor 0", "accessor 0"};
+    for (const std::size_t part : {0, 1, 2}) {
+      const std::string bytes = compressed(name, part);
+      EXPECT_EQ(messageOf([&] { readMesh("a.glb", bytes); }),
+                std::string("a.glb: ") + parts[part] + " is compressed by the extension \"" + name +
+                    "\", which isn't read; export it without compression");
+      EXPECT_EQ(messageOf([&] { readSurface("a.glb", bytes); }),
+                messageOf([&] { readMesh("a.glb", bytes); }));
+    }
+  }
+}
+
+// Compressed animations, or a mesh that isn't shown, are of no matter.
+TEST(GlbExtensions, OfCompressionMayBeInWhatIsntRead) {
+  for (const std::string name : kCompressions) {
+    for (const std::size_t shape : {5, 6}) EXPECT_EQ(saidOf(usingIn(shape, name)), "accepted");
+    BoxFile file = needing(name);
+    file.mesh = R"(}, {"primitives": [{"attributes": {"POSITION": 0}, "extensions": {")" + name +
+                "\": {}}}]";
+    EXPECT_EQ(saidOf(file), "accepted") << name;
   }
   EXPECT_EQ(saidOf(needing("KHR_texture_compression")), "accepted") << "of pictures";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "body/solids.h"
@@ -23,6 +24,16 @@ inline std::string glb(const std::string& json, const std::string& binary) {
   appendWord(bytes, static_cast<std::uint32_t>(binary.size()));
   appendWord(bytes, 0x004E4942);
   return bytes + binary;
+}
+
+/// Makes the lengths that a file of glb() states larger, after text was put into its description.
+inline void restateLengths(std::string& bytes, std::size_t more) {
+  for (const std::size_t at : {8, 12}) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, bytes.data() + at, sizeof(length));
+    length += static_cast<std::uint32_t>(more);
+    std::memcpy(bytes.data() + at, &length, sizeof(length));
+  }
 }
 
 /// The positions and 16-bit indices of a box of the sides 1, 2 and 3.

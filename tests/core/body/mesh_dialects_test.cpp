@@ -17,8 +17,11 @@ namespace {
 
 using ::testing::AllOf;
 using testing::binaryStlOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::messageOf;
+using ::testing::Not;
 using testing::objOf;
 using testing::replaced;
 using testing::textPlyOf;
@@ -145,6 +148,35 @@ TEST(StlReader, SaysHowATextBegins) {
               AllOf(HasSubstr("it begins with \"<!doctype\""), HasSubstr("not an STL file")));
 }
 
+TEST(StlReader, TakesATextWithoutAnEndAndNotesIt) {
+  const std::string whole = textStlOf(box());
+  const std::string bare = whole.substr(0, whole.find("endsolid"));
+  for (const std::string& text : {bare, replaced(bare, "\n", "\r\n"), replaced(bare, "\n", " ")}) {
+    expectSameBox("a.stl", text);
+    EXPECT_THAT(
+        readMesh("a.stl", text).closing.notes,
+        ElementsAre("it has no \"endsolid\" behind its last triangle: others may be missing"));
+  }
+  for (const std::string& text : {whole, upperCase(whole), replaced(whole, "end", "end "),
+                                  binaryStlOf(box()), "solid b\nendsolid b\n" + whole})
+    EXPECT_THAT(readMesh("a.stl", text).closing.notes, IsEmpty());
+  EXPECT_THAT(readStl(whole + bare).notes, Not(IsEmpty()));
+}
+
+TEST(StlReader, TakesATextInOneLine) {
+  const std::string whole = textStlOf(box());
+  for (const char* name : {"a name", "", "a facet of a solid", "facet", "normal facet  ", "2.5"}) {
+    std::string text = replaced(replaced(whole, "a name", name), "\n", " ");
+    expectSameBox("a.stl", text);
+    expectSameBox("a.stl", upperCase(text));
+  }
+  // Two solids
+  const std::size_t middle = whole.find("endfacet") + 9;
+  expectSameBox("a.stl", replaced(whole.substr(0, middle) + "endsolid\nsolid more of it\n" +
+                                      whole.substr(middle),
+                                  "\n", "  "));
+}
+
 TEST(StlReader, TakesSpareBytes) {
   for (const char* comment : {"solid, it says", "made by hand", "SOLID"}) {
     const std::string whole = binaryStlOf(box(), comment);
@@ -208,10 +240,11 @@ TEST(PlyReader, TakesHeadersThatEndInAnyWay) {
 }
 
 TEST(PlyReader, SaysWhichNamesItMisses) {
-  EXPECT_THAT(messageOf([] { readPly(replaced(textPlyOf(box()), "_indices", "_idx")); }),
-              HasSubstr("its faces have no list \"vertex_indices\""));
+  EXPECT_THAT(
+      messageOf([] { readPly(replaced(textPlyOf(box()), "_indices", "_idx")); }),
+      HasSubstr("its faces have no list \"vertex_indices\"; name that of their corners so"));
   EXPECT_THAT(messageOf([] { readPly(replaced(textPlyOf(box()), "double z", "double height")); }),
-              HasSubstr("its vertices have no z"));
+              HasSubstr("its vertices have no property \"z\"; name their coordinates x, y and z"));
 }
 
 }  // namespace

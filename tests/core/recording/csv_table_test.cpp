@@ -70,6 +70,14 @@ TEST(CsvTable, FindsItsHeader) {
 TEST(CsvTable, SaysWhatIsNoText) {
   EXPECT_THAT(tableRefusal("\xD0\xCF\x11\xE0..."), HasSubstr("a workbook (.xls)"));
   EXPECT_THAT(tableRefusal("PK\x03\x04..."), HasSubstr("a ZIP archive"));
+  EXPECT_EQ(tableRefusal("\x1F\x8B\x08..."), "t.csv: compressed by gzip; unpack it");
+  EXPECT_THAT(tableRefusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n"),
+              HasSubstr("a pointer of git-lfs in the place of the table"));
+  EXPECT_THAT(tableRefusal("<!DOCTYPE html>\n<html>"), HasSubstr("a web page; download the table"));
+  for (const std::string& begin :
+       {std::string("\xFF\xFE\0\0t\0\0\0", 8), std::string("\0\0\xFE\xFF\0\0\0t", 8),
+        std::string("t\0\0\0,\0\0\0", 8), std::string("\0\0\0t\0\0\0,", 8)})
+    EXPECT_THAT(tableRefusal(begin), HasSubstr("its text is in UTF-32; save it as UTF-8"));
   EXPECT_EQ(tableRefusal(std::string("a\0,\0b\0", 6)),
             "t.csv: its text is in UTF-16 without its byte order mark; save it as UTF-8 (\"CSV "
             "UTF-8\")");

@@ -7,15 +7,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/number_text.h"
 #include "recording/held_readings.h"
 #include "recording/refusal.h"
 #include "recording/toss.h"
 #include "recording/tosses.h"
+#include "recording/tumbling.h"
 
 namespace rotatebook::recording {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -170,6 +173,26 @@ TEST(Throws, AreListedWithTheReasonWhereThereIsNone) {
   EXPECT_THAT(throws.front().refusal,
               AllOf(HasSubstr("it isn't a free flight: "), HasSubstr("% for 0.25 s"),
                     HasSubstr("at best within ")));
+}
+
+// A gyroscope of 50 to 1000 readings a second in a table of 1 kHz, by turns.
+TEST(HeldReadings, AreLeftOutHoweverUnevenTheyAre) {
+  const rigid::ExactRotation motion = tumbling();
+  std::string text = "t (s),wx (rad/s),wy (rad/s),wz (rad/s)\n", cells;
+  int left = 0, rows = 1;
+  for (int i = 0; i < 3000; ++i, --left) {
+    if (left == 0) {
+      rows = rows * 7 % 19 + 1;  // 8, 19, 1
+      left = rows;
+      cells.clear();
+      for (const double rate : motion.angularVelocityBodyAt(i * 1e-3))
+        cells += "," + shortestText(rate);
+    }
+    text += shortestText(i * 1e-3) + cells + "\n";
+  }
+  const RecordedMotion read = readRecording(text, "t.csv", {});
+  EXPECT_THAT(read.notes(), Contains(HasSubstr("in up to 19 rows")));
+  EXPECT_LT(errorOf(motion, read.moments().back()), 1e-4);  // measured 7.5e-6
 }
 
 TEST(Throws, AreFoundWhereReadingsAreHeld) {

@@ -134,6 +134,20 @@ TEST(FlawedRecording, HeldRowsAreNamed) {
   }
 }
 
+// The rates in it are of the attitudes' slopes: none at first, though the body moves.
+TEST(FlawedRecording, HeldRowsAtFirstAreNoRest) {
+  const std::string text = textOf(exactBook(), {.rates = "", .spoil = held(1, 9, 10)});
+  try {
+    verdictOnText(text);
+    FAIL() << "is judged";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "m.csv: the body moves, but the first rows repeat one attitude; leave out rows "
+                 "that repeat the one before, or state where these end in simulation.from, or with "
+                 "--from");
+  }
+}
+
 TEST(FlawedRecording, DroppedRowsAreNamed) {
   for (const std::size_t count : {1U, 2U}) {
     for (const Verdict& verdict : verdictsOn(dropped(250, count))) {

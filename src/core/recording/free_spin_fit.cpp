@@ -7,7 +7,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include "recording/gaps.h"
 
@@ -79,12 +78,18 @@ Eigen::Matrix<double, kParameters, Columns::ColsAtCompileTime> productOf(const S
   return a.transpose().lazyProduct(b);
 }
 
+using SquareOfParameters = Eigen::Matrix<double, kParameters, kParameters>;
+
+/// Returns the inverse of a symmetric matrix; in one place, as Eigen's solvers are slow to compile.
+SquareOfParameters inverseOf(const SquareOfParameters& matrix) {
+  return matrix.ldlt().solve(SquareOfParameters::Identity());
+}
+
 /// Returns the covariance of the parameters: by the noise of the flight's rates, and by the error
 /// of the bias, which shifts all of an axis alike.
 Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Slopes& slopes, double variance,
                                                              const Eigen::Vector3d& biasVariance) {
-  const Eigen::Matrix<double, kParameters, kParameters> inverse =
-      productOf(slopes, slopes).inverse();
+  const SquareOfParameters inverse = inverseOf(productOf(slopes, slopes));
   Eigen::Matrix<double, kParameters, 3> sums = Eigen::Matrix<double, kParameters, 3>::Zero();
   for (Eigen::Index row = 0; row < slopes.rows(); ++row)
     sums.col(row % 3) += slopes.row(row).transpose();
@@ -144,28 +149,29 @@ Linear solveLinear(Readings flight) {
   const std::vector<RecordedMoment> moments = integrateRates(rates);
   std::vector<std::size_t> ends = breaksIn(rates);
   ends.push_back(moments.size());
-  // Each momentum minus the mean of those that ought to be the same
-  Eigen::MatrixXd differences(3 * static_cast<Eigen::Index>(rates.size()), 6);
+  // The squares of each momentum minus the mean of those that ought to be the same
+  Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
   std::vector<MomentumMatrix> means;
   std::size_t start = 0;
   for (const std::size_t end : ends) {
     means.push_back(meanMomentum(moments, start, end));
     for (std::size_t i = start; i < end; ++i) {
-      differences.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
-          momentumMatrix(moments[i]) - means.back();
+      const MomentumMatrix difference = momentumMatrix(moments[i]) - means.back();
+      squares += difference.transpose() * difference;
     }
     start = end;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(differences, Eigen::ComputeThinV);
-  const Entries entries = svd.matrixV().col(5);
-  const auto& values = svd.singularValues();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(squares);
+  const Entries entries = solver.eigenvectors().col(0);
+  // Rounding of the squares hides what is smaller than this share of the largest
+  const double least = 1e-16 * solver.eigenvalues()[5];
+  const double smallest = std::sqrt(std::max(solver.eigenvalues()[0], least));
   Linear linear;
   linear.tensor = tensorFrom(entries);
-  constexpr double kLargestGap = 1e12;
-  linear.gap = std::min(values[4] / values[5], kLargestGap);
+  linear.gap = std::sqrt(std::max(solver.eigenvalues()[1], least)) / smallest;
   double size = 0;
   for (const MomentumMatrix& mean : means) size += (mean * entries).norm();
-  linear.change = values[5] / std::sqrt(static_cast<double>(rates.size())) *
+  linear.change = smallest / std::sqrt(static_cast<double>(rates.size())) *
                   static_cast<double>(means.size()) / size;
   return linear;
 }
@@ -184,7 +190,7 @@ FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& bi
   for (int i = 0; i < kMaxIterations; ++i) {
     const Slopes slopes = slopesOf(flight, p);
     Parameters step =
-        -productOf(slopes, slopes).ldlt().solve(productOf(slopes, residualsOf(flight, p)));
+        -inverseOf(productOf(slopes, slopes)) * productOf(slopes, residualsOf(flight, p));
     // Halve a step that doesn't lessen the error
     bool isLess = false;
     for (int k = 0; k < kMaxHalvings && !isLess; ++k, step /= 2) {

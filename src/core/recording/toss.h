@@ -51,7 +51,7 @@ inline constexpr double kLargestResidual = 0.05;
 
 /// Fits the inertia, up to its scale, and the motion to the rates of a flight. Start values: with
 /// the attitudes R from the rates, R I w - L = 0 is linear in the entries of I and L, and one
-/// singular value decomposition gives them. From there the rates of the free motion are fitted to
+/// eigenvalue problem gives them. From there the rates of the free motion are fitted to
 /// those measured by Gauss and Newton's method, whose covariance gives intervals that hold in 95 of
 /// 100 tosses by noise alone, with that of the bias by the scatter of the rest's rates; they are
 /// widened where the residual is larger than the noise at rest, as though what isn't noise were

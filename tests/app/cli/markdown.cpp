@@ -73,9 +73,10 @@ std::vector<std::string> codeSpansOf(const std::string& page) {
 
 std::vector<std::string> documentationPages() {
   std::vector<std::string> pages{"CONTRIBUTING.md", "README.md", "assets/README.md"};
-  for (const auto& entry : fs::directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "docs")) {
+  const fs::path root = ROTATEBOOK_SOURCE;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "docs")) {
     if (entry.path().extension() == ".md") {
-      pages.push_back("docs/" + entry.path().filename().string());
+      pages.push_back(entry.path().lexically_relative(root).string());
     }
   }
   std::sort(pages.begin(), pages.end());

@@ -8,12 +8,12 @@
 #include <benchmark/benchmark.h>
 
 #include "base/number_text.h"
-#include "ensemble/ensemble.h"
 #include "physics/make_simulator.h"
 #include "physics/motion_start.h"
 #include "plain_steps.h"
 #include "rigid/exact_rotation.h"
 #include "scene/names.h"
+#include "study/lanes/ensemble.h"
 
 namespace rotatebook::bench {
 namespace {
@@ -68,21 +68,21 @@ std::vector<MotionSettings> motionsOf(Integrator integrator, double h, int subst
   return motions;
 }
 
-void lanes(benchmark::State& state, Integrator integrator, ensemble::InstructionSet set) {
+void lanes(benchmark::State& state, Integrator integrator, study::lanes::InstructionSet set) {
   constexpr int kMany = 10 * kSteps;
   const auto motions = motionsOf(integrator, kStep, kMany);
-  for (auto _ : state) benchmark::DoNotOptimize(ensemble::statesAfter(motions, 1, set));
+  for (auto _ : state) benchmark::DoNotOptimize(study::lanes::statesAfter(motions, 1, set));
   reportStep(state, kMany * static_cast<double>(motions.size()));
 }
 
 // A column of a map of half-turns: 20 s in steps of 3 ms, looked at every 51 ms.
-void halfTurns(benchmark::State& state, ensemble::InstructionSet set) {
+void halfTurns(benchmark::State& state, study::lanes::InstructionSet set) {
   constexpr int kMany = 6667;
-  std::vector<ensemble::WatchedMotion> motions;
+  std::vector<study::lanes::WatchedMotion> motions;
   for (const MotionSettings& motion : motionsOf(Integrator::Euler, 0.003, 1)) {
     motions.push_back({motion, kMany, 17});
   }
-  for (auto _ : state) benchmark::DoNotOptimize(ensemble::outcomesOf(motions, set));
+  for (auto _ : state) benchmark::DoNotOptimize(study::lanes::outcomesOf(motions, set));
   reportStep(state, kMany * static_cast<double>(motions.size()));
 }
 
@@ -116,8 +116,8 @@ void registerModels() {
 }
 
 void registerLanes() {
-  for (const ensemble::InstructionSet set : ensemble::availableSets()) {
-    if (set == ensemble::InstructionSet::None) continue;
+  for (const study::lanes::InstructionSet set : study::lanes::availableSets()) {
+    if (set == study::lanes::InstructionSet::None) continue;
     const std::string name(nameOf(set));
     for (const Integrator integrator :
          {Integrator::Euler, Integrator::Rk4, Integrator::Midpoint, Integrator::Dmv6}) {

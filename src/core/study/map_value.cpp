@@ -8,9 +8,9 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "ensemble/ensemble.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
+#include "study/lanes/ensemble.h"
 #include "study/reduced.h"
 #include "study/run_value.h"
 #include "study/whole_motion.h"
@@ -76,12 +76,12 @@ bool countsTurns(const MapPlan& plan) {
 
 /// Looks at whole frames, so that no step is made in parts; at no more of them than anybody waits
 /// for.
-ensemble::WatchedMotion watchedMotion(const MapRun& run, double duration) {
+lanes::WatchedMotion watchedMotion(const MapRun& run, double duration) {
   constexpr double kRounding = 1e-9;
   const auto framesIn = [](double frames) {
     return static_cast<std::int64_t>(std::clamp(std::floor(frames), 0.0, 1e15));
   };
-  ensemble::WatchedMotion watched{run.motion};
+  lanes::WatchedMotion watched{run.motion};
   if (run.motion.simulation.model == physics::Model::Exact) {
     // It has no steps: a look is a frame.
     watched.frames = framesIn(std::ceil(duration / run.interval - kRounding));
@@ -94,7 +94,7 @@ ensemble::WatchedMotion watchedMotion(const MapRun& run, double duration) {
   return watched;
 }
 
-double turnsOf(const ensemble::Outcome& outcome, const MapPlan& plan) {
+double turnsOf(const lanes::Outcome& outcome, const MapPlan& plan) {
   if (plan.is(Measure::FirstFlip) && outcome.firstTurn) return *outcome.firstTurn;
   if (outcome.isRefused) return kRefused;
   if (plan.is(Measure::DivergesAt)) return outcome.divergedAt.value_or(kNever);
@@ -128,9 +128,9 @@ std::vector<double> valuesOf(std::span<const MapRun> runs, const MapPlan& plan, 
       values.push_back(isSet(stop) ? kRefused : valueOf(run, plan, stop));
     return values;
   }
-  std::vector<ensemble::WatchedMotion> watched;
+  std::vector<lanes::WatchedMotion> watched;
   for (const MapRun& run : runs) watched.push_back(watchedMotion(run, plan.duration));
-  for (const auto& outcome : ensemble::outcomesOf(watched, ensemble::widestSet(), stop)) {
+  for (const auto& outcome : lanes::outcomesOf(watched, lanes::widestSet(), stop)) {
     values.push_back(turnsOf(outcome, plan));
   }
   return values;

@@ -38,14 +38,12 @@ const std::map<std::string, Room> kRooms{
     {"body", {"core", {"base"}, {"Eigen/", "nlohmann/"}}},
     {"recording", {"core", {"base", "rigid"}, {"Eigen/"}}},
     {"physics", {"core", {"base", "rigid", "recording"}, {"Eigen/"}}},
-    {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "body", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"nlohmann/", "toml++/"}}},
     {"scene", {"core", {"base", "rigid", "recording", "body", "physics", "document"}, {"Eigen/"}}},
     {"timeline",
      {"core", {"base", "rigid", "recording", "physics", "geometry", "scene"}, {"Eigen/"}}},
-    {"study",
-     {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {"nlohmann/"}}},
+    {"study", {"core", {"base", "rigid", "physics", "scene", "timeline"}, {"Eigen/", "nlohmann/"}}},
     {"bridge",
      {"browser",
       {"base", "body", "physics", "geometry", "document", "scene", "timeline"},
@@ -205,8 +203,8 @@ TEST(IncludeRules, DistinguishRightFromWrong) {
   EXPECT_FALSE(isAllowed({"video", "scene/scene.h", true}));
   EXPECT_FALSE(isAllowed({"pipeline", "cli/program.h", true}));
   EXPECT_FALSE(isAllowed({"pipeline", "CLI/CLI.hpp", false}));
-  for (const std::string core : {"base", "rigid", "body", "recording", "physics", "ensemble",
-                                 "geometry", "document", "scene", "timeline", "study"}) {
+  for (const std::string core : {"base", "rigid", "body", "recording", "physics", "geometry",
+                                 "document", "scene", "timeline", "study"}) {
     for (const std::string header :
          {"thread",   "mutex",         "chrono",     "ctime",   "fstream",   "iostream",
           "cstdio",   "random",        "complex",    "cstdlib", "execution", "iomanip",

@@ -2,15 +2,15 @@
 // instruction set, and by nothing else. Inside the room only.
 #pragma once
 
-#include "ensemble/block.h"
-#include "ensemble/lanes.h"
-#include "ensemble/pair.h"
 #include "physics/steps/euler_step.h"
 #include "physics/steps/midpoint_step.h"
 #include "physics/steps/moser_veselov_step.h"
 #include "physics/steps/runge_kutta_step.h"
+#include "study/lanes/block.h"
+#include "study/lanes/lanes.h"
+#include "study/lanes/pair.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 using physics::StepState;
 using physics::Vector3;
@@ -204,4 +204,4 @@ constexpr Kernels kernels() {
            &run<physics::MidpointStep, Number>, &run<physics::MoserVeselovStep, Number>}};
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

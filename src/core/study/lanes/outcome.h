@@ -3,7 +3,7 @@
 
 #include <optional>
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// Counts and times that the looks at a motion found.
 struct Outcome {
@@ -16,4 +16,4 @@ struct Outcome {
   friend bool operator==(const Outcome&, const Outcome&) = default;
 };
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -6,12 +6,12 @@
 #include <span>
 #include <vector>
 
-#include "ensemble/instruction_set.h"
-#include "ensemble/outcome.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
+#include "study/lanes/instruction_set.h"
+#include "study/lanes/outcome.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// A motion that is watched for half-turns: at its start, after every so many frames, and at its
 /// end.
@@ -35,4 +35,4 @@ std::vector<Outcome> outcomesOf(std::span<const WatchedMotion> motions,
 std::vector<physics::BodyState> statesAfter(std::span<const physics::MotionSettings> motions,
                                             std::int64_t frames, InstructionSet set = widestSet());
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// A processor's vectors, by the number of doubles in one.
 enum class InstructionSet {
@@ -22,4 +22,4 @@ std::vector<InstructionSet> availableSets();
 InstructionSet widestSet();
 std::string_view nameOf(InstructionSet set);
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

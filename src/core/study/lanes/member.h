@@ -6,13 +6,13 @@
 
 #include <Eigen/Core>
 
-#include "ensemble/block.h"
-#include "ensemble/outcome.h"
 #include "physics/measure/measurement.h"
 #include "physics/motion_settings.h"
 #include "physics/steps/quaternion_motion.h"
+#include "study/lanes/block.h"
+#include "study/lanes/outcome.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// A motion in a lane of a block: fills the lane, and measures what lanes leave to it, bit by bit
 /// as simulate() does.
@@ -52,4 +52,4 @@ class Member {
 /// Fills a lane with a body that doesn't turn and needs no care, but keeps its count of half-turns.
 void fillAtRest(Block& block, int lane);
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

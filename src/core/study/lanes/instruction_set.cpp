@@ -1,10 +1,10 @@
-#include "ensemble/instruction_set.h"
+#include "study/lanes/instruction_set.h"
 
 #include <array>
 
-#include "ensemble/kernels.h"
+#include "study/lanes/kernels.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 namespace {
 
 constexpr std::array kSets{InstructionSet::None, InstructionSet::Base, InstructionSet::Avx2,
@@ -57,4 +57,4 @@ const Kernels& kernelsFor(InstructionSet set) {
   return kBaseKernels;
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -3,7 +3,7 @@
 // one's functions for another's; each is a template of the width. Inside the room only.
 #pragma once
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// The vector types of a width, written out, because GCC ignores a size that depends on a
 /// template's parameter.
@@ -114,4 +114,4 @@ Lanes<kWidth> rootOf(Lanes<kWidth> a) {
   return a;
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// Motions of a block.
 inline constexpr int kBlockSize = 32;
@@ -61,4 +61,4 @@ struct Kernels {
 bool solveMidpoint(const double* equation, double* solution);
 bool solveMoserVeselov(const double* equation, double* solution);
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -2,11 +2,11 @@
 // vectors, and back again. Inside the room only.
 #pragma once
 
-#include "ensemble/lanes.h"
+#include "study/lanes/lanes.h"
 
 #ifdef __AVX512F__
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 template <>
 struct Mask<8> {
@@ -48,6 +48,6 @@ inline bool isAny(Mask<8> mask) {
   return mask.bits != 0;
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes
 
 #endif

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The object files of lanes have no fused multiply-add, which rounds once where two roundings are meant; and those for one kind of
 # processor define nothing that other sources may define, too, but templates of their own width: the linker keeps one definition.
-# objects.sh OBJECT...
+# lanes_objects.sh OBJECT...
 set -euo pipefail
 
 # Whatever other sources may define, but templates of lanes of this width: check_templates OBJECT WIDTH
@@ -9,7 +9,7 @@ check_templates() {
   local weak
   weak=$(nm -C --defined-only "$1" | grep -E ' [WVu] ' || true)
   [ -n "$weak" ] || { echo "no templates in $1" >&2; exit 1; }
-  if grep -vE "ensemble::(Lanes|Mask)<$2>" <<< "$weak"; then
+  if grep -vE "lanes::(Lanes|Mask)<$2>" <<< "$weak"; then
     echo "$1 defines these for other sources, too" >&2
     exit 1
   fi

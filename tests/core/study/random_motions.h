@@ -10,7 +10,7 @@
 
 #include "physics/motion_settings.h"
 
-namespace rotatebook::ensemble::testing {
+namespace rotatebook::study::lanes::testing {
 
 /// Numbers of Marsaglia's xorshift.
 class Random {
@@ -82,4 +82,4 @@ inline std::vector<physics::MotionSettings> hardMotions(std::size_t count,
   return motions;
 }
 
-}  // namespace rotatebook::ensemble::testing
+}  // namespace rotatebook::study::lanes::testing

@@ -1,6 +1,4 @@
 // Motions in lanes are bit by bit those of the simulators, whatever the processor's vectors.
-#include "ensemble/ensemble.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,10 +11,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "ensemble/random_motions.h"
 #include "physics/simulate.h"
+#include "study/lanes/ensemble.h"
+#include "study/random_motions.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 namespace {
 
 using physics::BodyState;
@@ -216,4 +215,4 @@ TEST(InstructionSets, StartWithOneMotionAtATime) {
 }
 
 }  // namespace
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <optional>
 
-#include "ensemble/block.h"
 #include "physics/steps/branch.h"
+#include "study/lanes/block.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 namespace {
 
 template <typename Equation>
@@ -29,4 +29,4 @@ bool solveMoserVeselov(const double* equation, double* solution) {
   return solveEquation<physics::MoserVeselovEquation<double>>(equation, solution);
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -2,7 +2,7 @@
 // other's. Inside the room only.
 #pragma once
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 /// For which bodies a condition holds, in both halves.
 template <typename Half>
@@ -86,4 +86,4 @@ Pair<Half> rootOf(Pair<Half> a) {
   return {rootOf(a.first), rootOf(a.second)};
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

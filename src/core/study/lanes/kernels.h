@@ -1,9 +1,9 @@
 // The kernels of all instruction sets. Inside the room only.
 #pragma once
 
-#include "ensemble/block.h"
+#include "study/lanes/block.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 
 enum class InstructionSet;
 
@@ -14,4 +14,4 @@ extern const Kernels kAvx512Kernels;
 /// Returns the kernels for an available set that has lanes.
 const Kernels& kernelsFor(InstructionSet set);
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

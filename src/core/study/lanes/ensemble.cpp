@@ -1,4 +1,4 @@
-#include "ensemble/ensemble.h"
+#include "study/lanes/ensemble.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,13 +10,13 @@
 #include <variant>
 
 #include "base/error.h"
-#include "ensemble/kernels.h"
-#include "ensemble/member.h"
 #include "physics/integrators/step_error.h"
 #include "physics/make_simulator.h"
 #include "physics/turn_watch.h"
+#include "study/lanes/kernels.h"
+#include "study/lanes/member.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 namespace {
 
 using physics::BodyState;
@@ -216,4 +216,4 @@ std::vector<BodyState> statesAfter(std::span<const MotionSettings> motions, std:
   return states;
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -1,4 +1,4 @@
-#include "ensemble/member.h"
+#include "study/lanes/member.h"
 
 #include <array>
 #include <bit>
@@ -8,7 +8,7 @@
 #include "physics/simulate.h"
 #include "rigid/rotation.h"
 
-namespace rotatebook::ensemble {
+namespace rotatebook::study::lanes {
 namespace {
 
 using physics::BodyState;
@@ -137,4 +137,4 @@ void fillAtRest(Block& block, int lane) {
   block.hasEnded[lane] = true;
 }
 
-}  // namespace rotatebook::ensemble
+}  // namespace rotatebook::study::lanes

@@ -15,6 +15,7 @@
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
+#include "picture/preflight.h"
 #include "report/file_report.h"
 #include "report/motion_report.h"
 #include "report/render_report.h"
@@ -228,7 +229,8 @@ class ParallelRenders {
 /// Renders all scenes as renderScenes() does, with its reports on `out`.
 int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
               int atATime, std::ostream& out, std::vector<report::RenderedScene>& rendered) {
-  for (const SceneToRender& one : scenes) report::reportNotes(one.scene, std::cerr);
+  for (const SceneToRender& one : scenes)
+    report::reportNotes(one.scene, picture::notesOn(one.scene), std::cerr);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options, out, rendered);
   pipeline::RenderOptions shared = options;

@@ -53,11 +53,13 @@ struct CheckArguments {
 };
 
 int checkScenes(const CheckArguments& arguments) {
+  std::vector<std::string> notes;  // on the file that is read
   const auto check = [&](const fs::path& path) {
     const scene::Scene scene = arguments.sceneOptions.read(path);
     refuseSameNames({scene});
     picture::preflight(scene);
-    report::reportNotes(scene, std::cerr);
+    notes = picture::notesOn(scene);
+    report::reportNotes(scene, notes, std::cerr);
     return scene;
   };
   std::vector<report::SceneFile> files;
@@ -65,6 +67,7 @@ int checkScenes(const CheckArguments& arguments) {
     files.push_back(readFile(path, check));
     report::SceneFile& file = files.back();
     if (!file.errors.empty()) continue;
+    file.notes = notes;
     if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
     if (arguments.json) continue;
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(path) + ": ok\n");

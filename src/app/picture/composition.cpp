@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -139,6 +140,13 @@ Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& 
       screen_(screenOf(grid_, overlays_)),
       background_(backgroundOf(scene, margins_)),
       panel_(screen_.width, screen_.height, image::PixelFormat::Rgba8) {}
+
+std::vector<scene::Overlay> Composition::leftOut() const {
+  std::set<scene::Overlay> all;
+  for (const overlay::MotionOverlays& one : overlays_)
+    all.insert(one.leftOut().begin(), one.leftOut().end());
+  return {all.begin(), all.end()};
+}
 
 void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {
   if (grid_.positions.size() == 1) {

@@ -39,6 +39,9 @@ class Composition {
 
   /// Returns the screen on which each body is drawn: the whole picture, or a panel.
   const geometry::Screen& screen() const { return screen_; }
+  /// Returns the overlays that overlay.show asks for and for which a motion's picture has no room,
+  /// in the order of scene::Overlay.
+  std::vector<scene::Overlay> leftOut() const;
   /// Returns a picture of the clip's size with the background between panels.
   image::Image makePicture() const { return background_; }
   /// Draws over all of `picture`, from makePicture(); `frame` is 0 to below motion.frameCount().

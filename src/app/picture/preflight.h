@@ -1,6 +1,9 @@
 // Checks what only shows when a scene's files and fonts are opened.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "picture/looks.h"
 #include "scene/scene.h"
 
@@ -12,5 +15,9 @@ namespace rotatebook::picture {
 TextureFiles preflight(const scene::Scene& scene);
 /// Verifies that the scene's text can be set. Throws InputError like Composition.
 void requireText(const scene::Scene& scene);
+
+/// Returns timeline::notesOn() a scene, and a sentence on the overlays for which its pictures have
+/// no room, if there are any. Throws InputError like Composition.
+std::vector<std::string> notesOn(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

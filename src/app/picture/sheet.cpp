@@ -96,7 +96,9 @@ std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& moti
 }
 
 void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,
-              const overlay::Typesetter& type, std::vector<Cell>& cells) {
+              std::vector<Cell>& cells) {
+  // The letters of overlay.words and titles are those of overlay.font
+  const auto type = overlay::Typesetter::of(scene, overlay::Ink());
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::vector<std::int64_t> frames = framesOf(scene, motion, options);
   const overlay::TextStyle style{std::max(kSmallestText, kTextSize * scene.clip.height), false,
@@ -140,10 +142,9 @@ void refuseTooLarge(const Grid& grid) {
 image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
   refuseOtherSizes(scenes);
   refuseTooMany(scenes, options);
-  const overlay::Typesetter type;
   std::vector<Cell> cells;
   for (const scene::Scene& scene : scenes) {
-    addCells(scene, options, scenes.size() > 1, type, cells);
+    addCells(scene, options, scenes.size() > 1, cells);
   }
   const Grid grid = gridFor(cells, options.columns);
   refuseTooLarge(grid);

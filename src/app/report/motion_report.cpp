@@ -119,7 +119,10 @@ void printNotes(const scene::Scene& scene, const std::vector<std::string>& notes
 }  // namespace
 
 void reportNotes(const scene::Scene& scene, std::ostream& out) {
-  std::vector<std::string> notes = timeline::notesOn(scene);
+  reportNotes(scene, timeline::notesOn(scene), out);
+}
+
+void reportNotes(const scene::Scene& scene, std::vector<std::string> notes, std::ostream& out) {
   for (std::string& note : notes) note = scene.name + ": " + note;
   printNotes(scene, notes, out);
 }

@@ -22,6 +22,8 @@ std::string energyText(const timeline::MotionSummary& summary);
 
 /// Prints a line "note: NAME: ..." to `out` for each of timeline::notesOn(scene).
 void reportNotes(const scene::Scene& scene, std::ostream& out);
+/// Prints these `notes` on the scene likewise.
+void reportNotes(const scene::Scene& scene, std::vector<std::string> notes, std::ostream& out);
 
 /// Prints a line "note: NAME: ..." likewise, or "note: NAME, LABEL: ..." of a panel, for each note
 /// on `motions`, those of `scene`.

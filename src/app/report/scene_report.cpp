@@ -1,7 +1,6 @@
 #include "report/scene_report.h"
 
 #include "base/json.h"
-#include "timeline/notes.h"
 
 namespace rotatebook::report {
 namespace {
@@ -20,9 +19,8 @@ std::string panelLabels(const scene::Scene& scene) {
 }
 
 std::string checkJson(const SceneFile& file) {
-  const auto notes = file.scene ? timeline::notesOn(*file.scene) : std::vector<std::string>();
   JsonObject object = fileObject(file);
-  object.add("notes", jsonArrayOf(notes, jsonString));
+  object.add("notes", jsonArrayOf(file.notes, jsonString));
   if (!file.scene) return object.text();
   if (file.frames) object.addInteger("frames", *file.frames);
   return object.add("panels", panelLabels(*file.scene)).text();

@@ -88,7 +88,11 @@ struct MotionOverlays::Parts {
     for (const OverlayRow& row : shownAt({Placement::Body, Placement::BodyAndLegend})) {
       const bool lacksLegend =
           row.placement == Placement::BodyAndLegend && layout.legend.width <= 0 && !scene.textless;
-      if (!lacksLegend) inWorld.push_back(makeOverlay(row.overlay, context(), layout.legend));
+      if (lacksLegend) {
+        leftOut.push_back(row.overlay);
+      } else {
+        inWorld.push_back(makeOverlay(row.overlay, context(), layout.legend));
+      }
     }
   }
 
@@ -96,8 +100,11 @@ struct MotionOverlays::Parts {
     auto chart = layout.charts.begin();
     for (const OverlayRow& row : shownAt({Placement::Square, Placement::Chart})) {
       const Box& box = row.placement == Placement::Chart ? *chart++ : layout.square;
-      if (std::min(box.width, box.height) < kSmallestInset) continue;
-      insets.push_back(makeOverlay(row.overlay, context(), box));
+      if (std::min(box.width, box.height) < kSmallestInset) {
+        leftOut.push_back(row.overlay);
+      } else {
+        insets.push_back(makeOverlay(row.overlay, context(), box));
+      }
     }
   }
 
@@ -178,6 +185,7 @@ struct MotionOverlays::Parts {
   std::optional<CachedLayer> notice;
   std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and around the body, in drawing order
   std::vector<std::unique_ptr<DrawnOverlay>> insets;   // drawn above them
+  std::vector<Overlay> leftOut;                        // without room
 };
 
 MotionOverlays::MotionOverlays(const scene::Scene& scene, const physics::Trajectory& trajectory,
@@ -189,6 +197,10 @@ MotionOverlays& MotionOverlays::operator=(MotionOverlays&&) noexcept = default;
 
 int MotionOverlays::bottomRows() const {
   return parts_->layout.bottomRows;
+}
+
+const std::vector<Overlay>& MotionOverlays::leftOut() const {
+  return parts_->leftOut;
 }
 
 void MotionOverlays::draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,

@@ -54,6 +54,8 @@ class MotionOverlays {
   /// Returns how many rows at the picture's bottom text and charts take, the viewport's included;
   /// the book is drawn above them. From 0 to two thirds of all. [pixels]
   int bottomRows() const;
+  /// Returns the overlays that overlay.show asks for and for which there is no room.
+  const std::vector<scene::Overlay>& leftOut() const;
   /// Draws over `picture`, of the viewport's size, which shows frame `frame` >= 0 in the camera's
   /// frame of reference. `clipFromWorld` is its projection, y down.
   void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture);

@@ -56,5 +56,29 @@ TEST(ProseRules, HoldInAllOfTheSource) {
   EXPECT_GT(seen, 400U);
 }
 
+/// Returns the captions in a scene's text in which a line's end may part a number from its unit.
+std::vector<std::string> partedNumbersIn(const std::string& text) {
+  static const std::regex kParted(R"(^caption = .*[0-9] (%|(kg|g|ms|s|m|cm|mm|rpm|Hz)\b))");
+  std::vector<std::string> parted;
+  for (const std::string& line : linesOf(text)) {
+    if (std::regex_search(line, kParted)) parted.push_back(line);
+  }
+  return parted;
+}
+
+TEST(ProseRules, KeepNumbersOfCaptionsBesideTheirUnits) {
+  EXPECT_FALSE(partedNumbersIn("caption = \"It gains 6 % of it.\"").empty());
+  EXPECT_FALSE(partedNumbersIn("caption = \"In steps of 2 ms.\"").empty());
+  EXPECT_TRUE(partedNumbersIn("caption = \"The 2 methods. 6\u00a0% of it.\"").empty());
+  std::size_t seen = 0;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    EXPECT_THAT(partedNumbersIn(readText(entry.path())), IsEmpty()) << entry.path();
+    ++seen;
+  }
+  EXPECT_GT(seen, 40U);
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

@@ -11,6 +11,7 @@
 
 #include "image/golden.h"
 #include "picture/looks.h"
+#include "picture/preflight.h"
 #include "scene/scene_text.h"
 #include "timeline/scene_camera.h"
 #include "timeline/simulate_scene.h"
@@ -162,6 +163,28 @@ TEST(Composition, WritesNothingOnThePicturesOfBodies) {
       }
     }
   }
+}
+
+TEST(Composition, NotesOverlaysThatHaveNoRoom) {
+  const std::string show = "overlay.show=['caption', 'error', 'energy', 'polhode', 'axes']";
+  const auto noteOnRoom = [](const scene::Scene& scene) {
+    return notesOn(scene).empty() ? "" : notesOn(scene).back();
+  };
+  EXPECT_EQ(noteOnRoom(comparison()), "");
+  EXPECT_EQ(noteOnRoom(comparison({show, "clip.size=[1920, 1080]"})), "");
+  EXPECT_EQ(noteOnRoom(comparison({show, "clip.size=[480, 530]"})),
+            "overlay.show has \"error\", for which panels have no room in 480x530 pixels; make the "
+            "picture larger, or leave it out");
+  EXPECT_EQ(noteOnRoom(comparison({show, "clip.size=[320, 240]"})),
+            "overlay.show has \"polhode\", \"energy\" and \"error\", for which panels have no room "
+            "in 320x240 "
+            "pixels; make the picture larger, or leave them out");
+  scene::Scene one = comparison({"overlay.show=['error']", "clip.size=[64, 64]"});
+  one.panels.clear();
+  one.simulation.model = physics::Model::Matrix;
+  EXPECT_EQ(noteOnRoom(one),
+            "overlay.show has \"error\", for which a picture has no room in 64x64 pixels; make the "
+            "picture larger, or leave it out");
 }
 
 }  // namespace

@@ -62,6 +62,19 @@ TEST(Sheet, HasTheDecimalMarkOfItsScene) {
   EXPECT_FALSE(sheetIn("english") == sheetIn("{ decimal_mark = ',' }"));
 }
 
+// Inter has no mark of Arabic, nor letters of Hebrew.
+TEST(Sheet, HasTheFontOfItsScene) {
+  const auto sheetIn = [](const std::vector<std::string>& more) {
+    std::vector<scene::Scene> scenes{smallScene(more), smallScene(more)};
+    for (scene::Scene& scene : scenes) scene.title = "\u05e9\u05dc\u05d5\u05dd";
+    return drawSheet(scenes, {.count = 2});
+  };
+  const std::string mark = "overlay.words={ decimal_mark = '\u066b' }";
+  const image::Image sheet = sheetIn({"overlay.font='DejaVu Sans'", mark});
+  EXPECT_FALSE(sheet == sheetIn({"overlay.font='DejaVu Sans'"}));
+  EXPECT_THROW(sheetIn({mark}), InputError);
+}
+
 TEST(Sheet, ShowsTheTimesThatAreAskedFor) {
   const scene::Scene scene = smallScene();
   const image::Image sheet = drawSheet({scene}, {.times = {0.25, 0.125}, .columns = 1});

@@ -16,22 +16,23 @@ std::vector<SceneFile> exampleFiles() {
   scene.panels.resize(2);
   scene.panels[0].label = "first";
   scene.panels[1].label = "second";
-  scene.panels[1].body.size = {0.1, 20, 0.1};
-  return {{.path = "dir/a.toml", .scene = scene, .frames = 815},
+  return {{.path = "dir/a.toml",
+           .scene = scene,
+           .frames = 815,
+           .notes = {"second: a centimetre is \"1 cm\""}},
           {.path = "dir/b.toml", .errors = {"dir/b.toml:1:1: unknown key \"x\""}}};
 }
 
 TEST(SceneReport, HasErrorsAndNotesOfEachCheckedFile) {
   std::ostringstream out;
   reportChecksAsJson(exampleFiles(), out);
-  EXPECT_EQ(
-      out.str(),
-      R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
-      R"(the body is 20 m long; numbers without a unit are in metres: a centimetre is \"1 cm\""], )"
-      R"("frames": 815, "panels": ["first", "second"]}, )"
-      R"({"path": "dir/b.toml", "ok": false, )"
-      R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
-      "\n");
+  EXPECT_EQ(out.str(),
+            R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
+            R"(a centimetre is \"1 cm\""], )"
+            R"("frames": 815, "panels": ["first", "second"]}, )"
+            R"({"path": "dir/b.toml", "ok": false, )"
+            R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
+            "\n");
 }
 
 TEST(SceneReport, ListsWhatScenesShow) {

@@ -31,7 +31,7 @@ help:
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make record-engines      record their motions anew in scenes/comparisons/recordings'
 	@echo 'make lint                check format, compile each header alone and run the static analyser'
-	@echo 'make gallery             draw docs/gallery.png, the picture in docs/figures.md, anew'
+	@echo 'make gallery             draw docs/gallery.png and docs/pictures anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make install PREFIX=DIR   install the program, and the core as a CMake package (default /usr/local)'
@@ -104,6 +104,8 @@ gallery: program
 	  scenes/figures/figa-exact.toml scenes/figures/fig12-quaternion-pulsating.toml \
 	  scenes/figures/fig06-undamped.toml scenes/comparisons/models.toml \
 	  --count 1 --columns 3 --size 640x360 --no-caption -o docs/gallery.png
+	@scripts/setup.sh play
+	scripts/pictures.sh $(PROGRAM)
 
 test: build
 	@scripts/setup.sh page || \

@@ -1,4 +1,4 @@
-// `rotatebook rerun`.
+// `rotatebook verify --again`.
 #include <filesystem>
 #include <string>
 #include <vector>

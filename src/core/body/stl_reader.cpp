@@ -143,7 +143,7 @@ NotedMesh readStl(std::string_view bytes) {
   std::string decoded;
   const std::string_view file = textOfFile(bytes, decoded);
   refuseUtf16(file);
-  if (hasBinaryByte(file)) return {readBinaryStl(bytes)};
+  if (decoded.empty() && hasBinaryByte(file)) return {readBinaryStl(bytes)};
   const std::string_view text = withoutPadding(file);
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid") {

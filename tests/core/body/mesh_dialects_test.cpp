@@ -143,6 +143,12 @@ TEST(StlReader, TakesComments) {
                 "; made by hand\n" + replaced(textStlOf(box()), "  facet", "# facet\n  facet"));
 }
 
+// Text that is longer decoded than in the file, which is too short for a binary one.
+TEST(StlReader, ReadsNoBinaryFileFromDecodedText) {
+  const std::string bytes = "\xff\xfe" + std::string(72, '\x08');
+  EXPECT_THAT(messageOf([&] { readStl(bytes); }), HasSubstr("not an STL file"));
+}
+
 TEST(StlReader, SaysHowATextBegins) {
   EXPECT_THAT(messageOf([] { readStl("<!DOCTYPE html>" + std::string(200, ' ')); }),
               AllOf(HasSubstr("it begins with \"<!doctype\""), HasSubstr("not an STL file")));

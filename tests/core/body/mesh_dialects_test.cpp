@@ -145,7 +145,7 @@ TEST(StlReader, TakesComments) {
 
 // Text that is longer decoded than in the file, which is too short for a binary one.
 TEST(StlReader, ReadsNoBinaryFileFromDecodedText) {
-  const std::string bytes = "\xff\xfe" + std::string(72, '\x08');
+  const std::string bytes = std::string("\xff\xfe\x01\0", 4) + std::string(70, '\x08');
   EXPECT_THAT(messageOf([&] { readStl(bytes); }), HasSubstr("not an STL file"));
 }
 

@@ -71,8 +71,9 @@ Closing closeSurface(Surface& surface) {
   if (!isClosed(surface.mesh)) {
     joinNear(surface, closing);
     if (all > 0 && closing.numbers.empty()) {
-      throw InputError("each of its " + std::to_string(all) +
-                       " triangles has a corner twice, and no area; export it again");
+      throw InputError(
+          (all == 1 ? "its one triangle" : "each of its " + std::to_string(all) + " triangles") +
+          std::string(" has a corner twice, and no area; export it again"));
     }
     requireClosed(surface.mesh, closing.numbers);
   }

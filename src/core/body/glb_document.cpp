@@ -32,8 +32,10 @@ Chunks chunksOf(std::string_view bytes) {
     throw InputError("it is of glTF " + std::to_string(version) + "; export it as glTF 2.0");
   }
   if (const auto length = file.next<std::uint32_t>(); length != bytes.size()) {
-    throw InputError("it says that it has " + std::to_string(length) + " bytes, but has " +
-                     std::to_string(bytes.size()) + "; is it whole?");
+    throw InputError(
+        "it says that it has " + std::to_string(length) + " bytes, but has " +
+        std::to_string(bytes.size()) +
+        (length > bytes.size() ? "; is it whole?" : ": others follow its end; export it again"));
   }
   Chunks chunks;
   while (file.left() >= 8) {
@@ -147,8 +149,10 @@ void requireShallow(std::string_view json) {
     if (letter == '"') isText = !isText;
     if (isText) continue;
     depth += letter == '{' || letter == '[' ? 1 : letter == '}' || letter == ']' ? -1 : 0;
-    if (depth > kMaxNesting)
-      throw InputError("its description is nested deeper than " + std::to_string(kMaxNesting));
+    if (depth > kMaxNesting) {
+      throw InputError("its description is nested deeper than " + std::to_string(kMaxNesting) +
+                       "; export the file again");
+    }
   }
 }
 

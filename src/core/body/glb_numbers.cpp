@@ -28,7 +28,8 @@ std::size_t sizeOfType(std::size_t type) {
     case 5126:  // a float
       return 4;
     default:
-      throw InputError("numbers of the type " + std::to_string(type) + " aren't read");
+      throw InputError("numbers of the type " + std::to_string(type) +
+                       " aren't read; export the file again");
   }
 }
 
@@ -47,7 +48,11 @@ std::string_view GlbNumbers::rowsIn(const GlbDocument& document, const Json& jso
   const std::string_view bytes = document.view(index);
   stride = GlbDocument::count(document.at("bufferViews", index), "byteStride").value_or(element);
   const std::size_t begin = GlbDocument::count(json, "byteOffset").value_or(0);
-  const bool isInView = begin <= bytes.size() && stride >= element && stride <= 252 + element &&
+  if (stride < element || stride > 252 + element) {
+    throw InputError(what + " has rows of " + std::to_string(element) + " bytes that are " +
+                     std::to_string(stride) + " apart; export the file again");
+  }
+  const bool isInView = begin <= bytes.size() &&
                         (count == 0 || (element <= bytes.size() - begin &&
                                         count - 1 <= (bytes.size() - begin - element) / stride));
   if (!isInView) throw InputError(what + " reaches beyond the file's data; is the file whole?");
@@ -59,8 +64,10 @@ GlbNumbers::GlbNumbers(const GlbDocument& document, std::size_t index, const Wan
   const std::string name = "accessor " + std::to_string(index);
   requireUncompressed(document, accessor, name);
   const Json& kind = GlbDocument::member(accessor, "type");
-  if (!kind.is_string() || kind.get_ref<const std::string&>() != wanted.type)
-    throw InputError(name + " isn't of the type " + std::string(wanted.type));
+  if (!kind.is_string() || kind.get_ref<const std::string&>() != wanted.type) {
+    throw InputError(name + " isn't of the type " + std::string(wanted.type) +
+                     "; export the file again");
+  }
   count_ = GlbDocument::count(accessor, "count").value_or(0);
   type_ = GlbDocument::count(accessor, "componentType").value_or(0);
   isNormalised_ = GlbDocument::member(accessor, "normalized") == true;
@@ -105,7 +112,8 @@ void GlbNumbers::putSparse(const GlbDocument& document, const Json& sparse, std:
       rowsIn(document, GlbDocument::member(sparse, "values"), changed, element, stride, name);
   for (std::size_t i = 0; i < changed; ++i) {
     const std::size_t row = rows.indexAt(i);
-    if (row >= count_) throw InputError(name + " changes a row that it doesn't have");
+    if (row >= count_)
+      throw InputError(name + " changes a row that it doesn't have; export the file again");
     values.copy(dense.data() + row * element, element, i * stride);
   }
   own_ = std::make_shared<const std::string>(std::move(dense));

@@ -32,7 +32,7 @@ bool readNumbers(const Json& node, const char* name, std::array<double, kCount>&
   }
   if (!isList) {
     throw InputError("a node's " + std::string(name) + " isn't a list of " +
-                     std::to_string(kCount) + " numbers");
+                     std::to_string(kCount) + " numbers; export the file again");
   }
   return true;
 }
@@ -95,7 +95,8 @@ Matrix4d GlbSkeletons::placeInScene(std::size_t node) {
   int depth = 0;
   for (std::uint32_t parent = parents_[node]; parent != kNoParent; parent = parents_[parent]) {
     if (++depth > kMaxNodeDepth)
-      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxNodeDepth));
+      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxNodeDepth) +
+                       ", or in each other; export it with its meshes joined");
     place = placeOfNode(document_.at("nodes", parent)) * place;
   }
   return place;
@@ -140,7 +141,8 @@ bool poseBySkin(const GlbDocument& document, const Json& attributes,
         const std::uint32_t joint = set.joints.indexAt(i, k);
         if (joint >= joints.size()) {
           throw InputError("a point follows joint " + std::to_string(joint) +
-                           " of a skin, but there are " + std::to_string(joints.size()));
+                           " of a skin, counted from 0, but there are " +
+                           std::to_string(joints.size()) + "; export the file again");
         }
         sum += weight * joints[joint];
         total += weight;

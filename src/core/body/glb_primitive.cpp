@@ -26,7 +26,8 @@ std::uint32_t indexOf(const GlbNumbers& numbers, std::size_t i, std::size_t poin
   const std::uint32_t index = numbers.indexAt(i);
   if (index < points) return index;
   throw InputError("triangle " + std::to_string(i / 3 + 1) + " of a mesh names point " +
-                   std::to_string(index) + ", but there are " + std::to_string(points));
+                   std::to_string(index) + ", counted from 0, but there are " +
+                   std::to_string(points) + "; export the file again");
 }
 
 /// Returns the corners of a strip or fan as triangles.
@@ -46,7 +47,8 @@ std::vector<double> morphWeightsOf(const Json& node, const Json& mesh) {
   const Json& own = GlbDocument::member(node, "weights");
   std::vector<double> weights;
   for (const Json& weight : own.is_null() ? GlbDocument::member(mesh, "weights") : own) {
-    if (!weight.is_number()) throw InputError("a weight of a morph target isn't a number");
+    if (!weight.is_number())
+      throw InputError("a weight of a morph target isn't a number; export the file again");
     weights.push_back(weight.get<double>());
   }
   return weights;

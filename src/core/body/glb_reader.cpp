@@ -50,7 +50,8 @@ class Collector {
 
   void addNode(std::size_t index, const Matrix4d& parent, int depth) {
     if (depth > kMaxNodeDepth)
-      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxNodeDepth));
+      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxNodeDepth) +
+                       ", or in each other; export it with its meshes joined");
     countPart();
     const Json& node = document_.at("nodes", index);
     if (GlbDocument::member(extensionOf(node, "KHR_node_visibility"), "visible") == false) {
@@ -196,7 +197,7 @@ std::vector<std::string> collect(const GlbDocument& document, Surface& surface) 
   std::vector<std::string> notes = collector.notes();
   if (surface.mesh.triangles.empty() && !notes.empty())
     throw InputError("there are no triangles (" + joined(notes, "; ") +
-                     "); export a mesh of triangles");
+                     "); export triangles that are shown");
   return notes;
 }
 

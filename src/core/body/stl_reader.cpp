@@ -146,7 +146,7 @@ NotedMesh readStl(std::string_view bytes) {
   if (decoded.empty() && hasBinaryByte(file)) return {readBinaryStl(bytes)};
   const std::string_view text = withoutPadding(file);
   MeshWords words(text);
-  if (const std::string first = keyword(words); first != "solid") {
+  if (const std::string first = keyword(words); first != "solid" && first != "facet") {
     throw InputError(
         (first.empty() ? "it is empty" : "it begins with " + quotedText(oneLine(first, 40))) +
         ", and has neither \"solid\" nor the " + std::to_string(kHeader) +

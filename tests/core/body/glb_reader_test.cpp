@@ -60,9 +60,11 @@ TEST(GlbReader, SaysWhatItCannotRead) {
   EXPECT_THAT(withChange("5126", "5124"), HasSubstr("numbers of the type 5124 aren't read"));
   EXPECT_THAT(withChange("5126", "5125"), HasSubstr("positions must be floats"));
   EXPECT_THAT(withChange("\"count\": 8", "\"count\": 9"), HasSubstr("reaches beyond"));
-  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 7"), HasSubstr("names point 7"));
+  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 7"), HasSubstr("names point 7, counted from 0, but there are 7; export"));
   EXPECT_THAT(withChange("\"count\": 36", "\"count\": 35"), HasSubstr("has 35 corners"));
   EXPECT_THAT(withChange("\"byteLength\": 72", "\"byteLength\": 71"), HasSubstr("beyond"));
+  EXPECT_THAT(withChange("\"byteLength\": 96", "\"byteLength\": 96, \"byteStride\": 4"),
+              HasSubstr("accessor 0 has rows of 12 bytes that are 4 apart; export"));
   EXPECT_THAT(withChange("\"byteOffset\": 96", "\"byteOffset\": 97"), HasSubstr("beyond"));
   EXPECT_THAT(withChange("\"bufferView\": 1", "\"bufferView\": 2"), HasSubstr("no number 2"));
   EXPECT_THAT(withChange("\"bufferView\": 1,", ""), HasSubstr("sparse"));
@@ -82,7 +84,7 @@ TEST(GlbReader, SaysWhatItCannotRead) {
               HasSubstr("nodes has no number 3"));
   EXPECT_THAT(withChange("\"nodes\": [{\"mesh\": 0}]",
                          R"("scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}])"),
-              HasSubstr("nested deeper than 100"));
+              HasSubstr("nested deeper than 100, or in each other; export"));
 }
 
 /// Returns the box with a material, and with texture coordinates that are its positions.
@@ -172,7 +174,7 @@ TEST(GlbReader, RefusesWhatIsNoGlb) {
   EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x01\0\0\0\0\0\0\0", 12)); }),
               HasSubstr("of glTF 1; export it as glTF 2.0"));
   EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\0\0\0\0", 12)); }),
-              HasSubstr("it says that it has 0 bytes, but has 12; is it whole?"));
+              HasSubstr("it says that it has 0 bytes, but has 12: others follow its end; export"));
   EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\x0c\0\0\0", 12)); }),
               HasSubstr("no description in JSON"));
   EXPECT_THAT(messageOf([] { readGlb(glb("[1]", "")); }), HasSubstr("isn't JSON"));

@@ -167,6 +167,7 @@ TEST(StlReader, TakesATextWithoutAnEndAndNotesIt) {
                                   binaryStlOf(box()), "solid b\nendsolid b\n" + whole})
     EXPECT_THAT(readMesh("a.stl", text).closing.notes, IsEmpty());
   EXPECT_THAT(readStl(whole + bare).notes, Not(IsEmpty()));
+  expectSameBox("a.stl", bare.substr(bare.find("facet")));  // nor a beginning
 }
 
 TEST(StlReader, TakesATextInOneLine) {

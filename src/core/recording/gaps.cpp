@@ -66,6 +66,20 @@ std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegra
          " s apart: what was between isn't known" + cost;
 }
 
+double unknownTurnIn(const std::vector<Rate>& rates) {
+  constexpr double kShort = 0.3;  // turn in which a cubic is near [rad]
+  if (rates.size() < 3) return 0;
+  const double usual = usualStep(rates);
+  double error = 0;
+  for (std::size_t i = 0; i + 1 < rates.size(); ++i) {
+    const double step = rates[i + 1].time - rates[i].time;
+    const double rate =
+        std::max(rates[i].angularVelocity.norm(), rates[i + 1].angularVelocity.norm());
+    if (step >= kShortestGap * usual || step * rate > kShort) error += errorInGap(rates, i);
+  }
+  return error;
+}
+
 std::vector<std::size_t> breaksIn(const std::vector<Rate>& rates) {
   constexpr double kLargestTurn = 0.5;  // [rad]
   std::vector<std::size_t> breaks;

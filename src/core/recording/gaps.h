@@ -16,6 +16,10 @@ namespace rotatebook::recording {
 /// reading at 0. [s]
 std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegrated);
 
+/// Returns the sum of these differences over all gaps and all steps in which the body turns by more
+/// than 0.3 rad. [rad]
+double unknownTurnIn(const std::vector<Rate>& rates);
+
 /// Returns the readings after such gaps in which the body turns by more than 0.5 rad: across them
 /// its attitude isn't known to a degree.
 std::vector<std::size_t> breaksIn(const std::vector<Rate>& rates);

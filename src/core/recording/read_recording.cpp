@@ -223,7 +223,10 @@ SoundPart soundPartOf(std::vector<RecordedMoment> moments, SpinSource source, do
 SpinFacts factsOf(const SoundPart& sound, const Columns& columns, SpinSource source,
                   const std::string& name) {
   if (source == SpinSource::Given) return factsOf(sound.moments, columns, name, sound.flaws);
-  return {source, source == SpinSource::Slopes ? slopeUncertainty(sound.moments) : 0};
+  SpinFacts facts{source};
+  if (source == SpinSource::Slopes) facts.uncertainty = slopeUncertainty(sound.moments);
+  if (source == SpinSource::Gyroscope) facts.unknownTurn = unknownTurnIn(ratesOf(sound.moments));
+  return facts;
 }
 
 }  // namespace

@@ -48,6 +48,8 @@ struct SpinFacts {
   /// Of rates beside attitudes: RateComparison::difference [-]
   double difference = 0;
   RateFit fit{};  ///< RateComparison::fit
+  /// Of rates alone: by how much the attitude may be off where readings are far apart. [rad]
+  double unknownTurn = 0;
 };
 
 /// Moments in the order of their times, and the motion between them. It begins at time 0, when body

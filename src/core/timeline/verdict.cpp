@@ -107,6 +107,8 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
   constexpr double kTooUncertain = 0.025;
   if (verdict.spins.uncertainty > kTooUncertain) return Errs::TooFewAttitudes;
   const bool keepsBoth = changes.keepEnergy() && changes.keepMomentum();
+  if (keepsBoth && verdict.errorDeg < verdict.spins.unknownTurn * kDegreesInRadian)
+    return Errs::TooFewReadings;
   const std::optional<Errs> trend = keepsBoth ? std::nullopt : trendOf(changes);
   // Steps that make L much larger or smaller turn it on the way.
   const double turnDeg = turnDegOf(means, exactMeans, count);
@@ -282,7 +284,8 @@ bool agreesWithExact(const Verdict& verdict) {
 }
 
 bool isJudged(const Verdict& verdict) {
-  return verdict.errs != Errs::TooFewRows && verdict.errs != Errs::TooFewAttitudes;
+  return verdict.errs != Errs::TooFewRows && verdict.errs != Errs::TooFewAttitudes &&
+         verdict.errs != Errs::TooFewReadings;
 }
 
 Verdict judge(const MotionSettings& motion, const physics::Trajectory& trajectory) {

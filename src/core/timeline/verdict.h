@@ -23,6 +23,7 @@ enum class Errs {
   InPhase,          ///< Energy and the size of L stay.
   TooFewRows,       ///< Less than kLeastRows of a recording; nothing else is said of it.
   TooFewAttitudes,  ///< So far apart that their slopes aren't the angular velocities.
+  TooFewReadings,   ///< Of rates alone, whose turns between aren't known as well as they differ.
   TurnsMomentum,    ///< L turns in the world, by more than kTurnsDeg.
   Swings,           ///< Energy or the size of L goes away and comes back.
   GainsEnergy,      ///< The size of L stays, the energy grows.

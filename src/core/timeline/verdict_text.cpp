@@ -1,3 +1,4 @@
+#include <numbers>
 #include <string>
 
 #include "base/number_text.h"
@@ -35,6 +36,11 @@ std::string kindOf(const Verdict& verdict) {
       return "its attitudes are too far apart, or their times too uncertain, for their slopes to "
              "be "
              "its angular velocities; record more of them, or the angular velocities, too";
+    case Errs::TooFewReadings:
+      return "energy and the size of the angular momentum are the exact motion's, but its readings "
+             "are so far apart that its attitude may be off by " +
+             roundedText(verdict.spins.unknownTurn * 180 / std::numbers::pi, 2) +
+             " degrees; record more of them, or state a part without gaps";
     case Errs::TurnsMomentum:
       return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
              " degrees: another convention, another inertia, or an outer torque";

@@ -95,6 +95,32 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
   EXPECT_EQ(verdictOnText(textOf(exactBook(10), kAttitudesAlone)).errs, Errs::HardlyAsFitted);
 }
 
+/// Returns a gyroscope's table of the exact motion, without `missing` rows of each 60.
+std::string gyroscopeText(int missing, const Eigen::Vector3d& factors = {1, 1, 1}) {
+  std::string text = "time_s,gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)\n";
+  int row = 0;
+  for (const physics::Sample& sample : physics::simulate(exactBook(), std::int64_t{600}).samples) {
+    if (++row % 60 < missing) continue;
+    text += shortestText(sample.time);
+    const Eigen::Vector3d rate = sample.attitude.conjugate() * sample.angularVelocity;
+    for (const double one : rate.cwiseProduct(factors).eval()) text += "," + shortestText(one);
+    text += "\n";
+  }
+  return text;
+}
+
+// Gaps of 0.4 s in each second, in which the body turns by 2.5 rad: the readings are right.
+TEST(VerdictOnRecordings, ReadingsTooFarApartArentJudged) {
+  EXPECT_EQ(verdictOnText(gyroscopeText(0)).errs, Errs::Hardly);
+  const Verdict verdict = verdictOnText(gyroscopeText(24));
+  EXPECT_EQ(verdict.errs, Errs::TooFewReadings) << methodThat(verdict);
+  EXPECT_FALSE(isJudged(verdict));
+  EXPECT_THAT(methodThat(verdict), HasSubstr("are so far apart that its attitude may be off by "));
+  EXPECT_GT(verdict.errorDeg, kAgreesDeg);
+  // Energy tells all the same that a scale is wrong
+  EXPECT_TRUE(isJudged(verdictOnText(gyroscopeText(24, {1, 1.1, 1}))));
+}
+
 TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
   const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesDelay = 1}));
   EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << methodThat(verdict);

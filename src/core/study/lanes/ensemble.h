@@ -1,4 +1,4 @@
-// Many motions at once, in the lanes of the processor's vectors.
+// Many motions at once, in the lanes of the processor's vectors. Inside the room only.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The instruction sets for which there are lanes.
+// The instruction sets for which there are lanes. Inside the room only.
 #pragma once
 
 #include <string_view>

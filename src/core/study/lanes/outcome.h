@@ -1,4 +1,4 @@
-// The outcome of a motion, without its samples.
+// The outcome of a motion, without its samples. Inside the room only.
 #pragma once
 
 #include <optional>

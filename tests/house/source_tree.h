@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 
 inline const std::filesystem::path kSource = std::filesystem::path(ROTATEBOOK_SOURCE) / "src";
 
@@ -18,4 +18,4 @@ inline std::vector<std::filesystem::path> filesBelow(const std::filesystem::path
   return paths;
 }
 
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -9,9 +9,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/markdown.h"
+#include "house/markdown.h"
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
@@ -87,4 +87,4 @@ TEST(CiTurns, FollowEachOtherByTheNumberOfCommits) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -1,4 +1,4 @@
-#include "cli/markdown.h"
+#include "house/markdown.h"
 
 #include <algorithm>
 #include <fstream>
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 
 namespace fs = std::filesystem;
 
@@ -83,4 +83,4 @@ std::vector<std::string> documentationPages() {
   return pages;
 }
 
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -12,14 +12,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/source_tree.h"
+#include "house/source_tree.h"
 
-namespace rotatebook {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
-using cli::testing::filesBelow;
-using cli::testing::kSource;
 using ::testing::IsEmpty;
 
 struct Room {
@@ -368,4 +366,4 @@ TEST(IncludeRules, PublicHeadersOfTheCoreNeedEigenAlone) {
 }
 
 }  // namespace
-}  // namespace rotatebook
+}  // namespace rotatebook::house

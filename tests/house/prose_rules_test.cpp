@@ -7,9 +7,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/markdown.h"
+#include "house/markdown.h"
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
@@ -81,4 +81,4 @@ TEST(ProseRules, KeepNumbersOfCaptionsBesideTheirUnits) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/source_tree.h"
+#include "house/source_tree.h"
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
@@ -121,4 +121,4 @@ TEST(CoreCalls, AreNoneThatTheCoreMustNotMake) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

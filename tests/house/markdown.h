@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 
 /// A block between two lines that begin with ```.
 struct CodeBlock {
@@ -29,4 +29,4 @@ std::vector<std::string> codeSpansOf(const std::string& page);
 /// README.md, CONTRIBUTING.md, docs/*.md and assets/README.md, relative to the root and sorted.
 std::vector<std::string> documentationPages();
 
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -10,9 +10,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/source_tree.h"
+#include "house/source_tree.h"
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
@@ -111,4 +111,4 @@ TEST(KeyConsumers, UseEachMemberOfSettings) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

@@ -11,13 +11,14 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/markdown.h"
+#include "house/markdown.h"
 #include "cli/program_test.h"
 
-namespace rotatebook::cli::testing {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
+using cli::testing::ProgramTest;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -352,4 +353,4 @@ TEST_F(WrongDocumentation, IsNoticedWithinSentences) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli::testing
+}  // namespace rotatebook::house

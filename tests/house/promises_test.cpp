@@ -11,14 +11,14 @@
 
 #include "system/read_file.h"
 
-namespace rotatebook {
+namespace rotatebook::house {
 namespace {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-const fs::path kRoot = ROTATEBOOK_SOURCE;
+const fs::path kRepository = ROTATEBOOK_SOURCE;
 
 std::vector<std::smatch> matchesIn(const std::string& text, const std::regex& pattern) {
   return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
@@ -36,7 +36,7 @@ std::set<std::string> testsIn(const std::string& source) {
 
 std::set<std::string> allTests() {
   std::set<std::string> names;
-  for (const auto& entry : fs::recursive_directory_iterator(kRoot / "tests")) {
+  for (const auto& entry : fs::recursive_directory_iterator(kRepository / "tests")) {
     if (entry.path().extension() == ".cpp")
       names.merge(testsIn(system::readFileOrEmpty(entry.path())));
   }
@@ -53,12 +53,12 @@ std::vector<std::string> evidenceOf(const std::string& row) {
 }
 
 bool exists(const std::string& evidence, const std::set<std::string>& tests) {
-  return evidence.starts_with("tests/") ? fs::exists(kRoot / evidence) : tests.contains(evidence);
+  return evidence.starts_with("tests/") ? fs::exists(kRepository / evidence) : tests.contains(evidence);
 }
 
 /// The rows of the page's table, below its heading.
 std::vector<std::string> promises() {
-  std::istringstream page(system::readFileOrEmpty(kRoot / "docs" / "reliability.md"));
+  std::istringstream page(system::readFileOrEmpty(kRepository / "docs" / "reliability.md"));
   std::vector<std::string> rows;
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with("| ")) rows.push_back(line);
@@ -94,4 +94,4 @@ TEST(Promises, AreShownByTestsThatThereAre) {
 }
 
 }  // namespace
-}  // namespace rotatebook
+}  // namespace rotatebook::house

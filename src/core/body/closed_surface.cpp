@@ -131,7 +131,7 @@ class OpenEdge {
   /// nothing without.
   std::optional<std::uint32_t> endOfOther(std::uint32_t c, std::uint32_t d) const {
     const Vector3d other = (mesh_.points[d] - mesh_.points[c]).normalized();
-    constexpr double kParallel = 1e-4;
+    constexpr double kParallel = 0.01;  // sine of the angle between
     if (!(along_.normalized().cross(other).norm() < kParallel)) return std::nullopt;
     for (const std::uint32_t end : {c, d}) {
       if (end != a_ && end != b_ && hasInside(at(end))) return end;

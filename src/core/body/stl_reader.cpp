@@ -93,7 +93,9 @@ void readFacet(MeshWords& words, TriangleMesh& mesh) {
     corner.y() = words.number("y");
     corner.z() = words.number("z");
   }
-  expect(words, "endloop");
+  const std::string end = keyword(words);
+  if (end == "vertex") words.fail("a facet has more than three corners; export triangles");
+  if (end != "endloop") failAt(words, "endloop", end);
   expect(words, "endfacet");
   addTriangle(corners, mesh);
 }

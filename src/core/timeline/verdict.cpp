@@ -66,12 +66,16 @@ bool makesDueHalfTurns(const Verdict& verdict, const Sample& last) {
   return made == due || (isOneOff && fromLimit < 2 * kAgreesDeg);
 }
 
+/// Returns the angle that L may turn by without a reason. [degrees]
+double turnBoundDeg(const Changes& changes) {
+  return 2 * kAgreesDeg + changes.ofASample * kDegreesInRadian;
+}
+
 /// Returns whether all is the exact motion's, to `noiseDeg` of the attitudes.
 bool agrees(const Verdict& verdict, const Changes& changes, const Sample& last, double noiseDeg) {
   constexpr double kSigmas = 5;
-  const double turnBound = 2 * kAgreesDeg + changes.ofASample * kDegreesInRadian;
   return verdict.errorDeg < kAgreesDeg + kSigmas * noiseDeg && changes.keepEnergy() &&
-         changes.keepMomentum() && verdict.momentumTurnDeg < turnBound &&
+         changes.keepMomentum() && verdict.momentumTurnDeg < turnBoundDeg(changes) &&
          makesDueHalfTurns(verdict, last);
 }
 
@@ -121,7 +125,9 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
     const bool areSlopes = verdict.spins.source == recording::SpinSource::Slopes;
     return areSlopes ? Errs::Hardly : Errs::SpinsAreOthers;
   }
-  return keepsBoth ? Errs::InPhase : Errs::Swings;
+  if (!keepsBoth) return Errs::Swings;
+  // Steps that keep both keep the direction of L, too.
+  return turnDeg < turnBoundDeg(changes) ? Errs::InPhase : Errs::TurnsSlightly;
 }
 
 /// Returns whether the exact motion may be fitted: that of a recording whose spins aren't exact.
@@ -245,7 +251,7 @@ std::optional<Recorded> inPlace(MotionSettings motion, const recording::Recorded
 
 /// Returns whether steps of a row's length may make the rates that multiple of the slopes: the
 /// midpoint rule makes 1 + (h w)^2 / 12.
-bool mayBeOfSteps(const recording::RateFit& fit, const std::vector<Sample>& samples) {
+bool mayBeOfSteps(const recording::SpinFacts& spins, const std::vector<Sample>& samples) {
   constexpr double kOfMidpoint = 1.0 / 12, kMargin = 1.5;
   double sum = 0;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -253,7 +259,9 @@ bool mayBeOfSteps(const recording::RateFit& fit, const std::vector<Sample>& samp
     sum += step * step * samples[i].angularVelocity.squaredNorm();
   }
   const double mean = sum / static_cast<double>(samples.size() - 1);
-  return fit.bias.isZero(0) && std::fabs(fit.factor - 1) < kMargin * kOfMidpoint * mean;
+  const double largest = kMargin * kOfMidpoint * mean;
+  return spins.fit.bias.isZero(0) && std::fabs(spins.fit.factor - 1) < largest &&
+         spins.difference < 2 * largest;
 }
 
 /// Returns the verdict on a recording, whose rates aren't held against attitudes that agree alone.
@@ -265,7 +273,7 @@ Verdict verdictOnRecorded(const Recorded& recorded) {
   const recording::SpinFacts& spins = verdict.spins;
   const bool areOff = spins.source == recording::SpinSource::Given &&
                       (spins.fit.isOff() || spins.difference > kDiffers);
-  const bool areSteps = verdict.errs == Errs::InPhase && mayBeOfSteps(spins.fit, samples);
+  const bool areSteps = verdict.errs == Errs::InPhase && mayBeOfSteps(spins, samples);
   if (agreesWithExact(verdict) || !areOff || areSteps || !motion.nudges.empty()) return verdict;
   const auto alone = inPlace(motion, recording::attitudesAlone(*motion.simulation.recorded.motion),
                              samples.back().time);

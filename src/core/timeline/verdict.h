@@ -20,7 +20,8 @@ enum class Errs {
   RatesAreOff,      ///< The attitudes alone agree; the angular velocities aren't their slopes.
   SpinsAreOthers,   ///< The angular velocities aren't the attitudes' slopes.
   SpinIsFixed,      ///< The angular velocity stays as it was, along the world's axes.
-  InPhase,          ///< Energy and the size of L stay.
+  InPhase,          ///< Energy and L stay.
+  TurnsSlightly,    ///< Energy and the size of L stay; L turns by more than an agreeing motion's.
   TooFewRows,       ///< Less than kLeastRows of a recording; nothing else is said of it.
   TooFewAttitudes,  ///< So far apart that their slopes aren't the angular velocities.
   TooFewReadings,   ///< Of rates alone, whose turns between aren't known as well as they differ.

@@ -29,6 +29,13 @@ std::string kindOf(const Verdict& verdict) {
              (verdict.spins.fit.isOff()
                   ? ", or with rates of another scale: they " + ratesText(verdict.spins)
                   : std::string());
+    case Errs::TurnsSlightly:
+      return "keeps energy and the size of the angular momentum, which turns by up to " +
+             roundedText(verdict.momentumTurnDeg, 3) +
+             " degrees: attitudes that drift or jump, or rates along axes that are turned" +
+             (verdict.spins.source == recording::SpinSource::Given
+                  ? "; the rates " + ratesText(verdict.spins)
+                  : std::string());
     case Errs::TooFewRows:
       return std::to_string(verdict.samples) + (verdict.samples == 1 ? " row is" : " rows are") +
              " too few to tell; record at least " + std::to_string(kLeastRows);

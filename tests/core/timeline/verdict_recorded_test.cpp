@@ -128,6 +128,38 @@ TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
   EXPECT_LT(verdict.errorDeg, 0.2);  // measured 0.07 of slopes
 }
 
+TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoLongSteps) {
+  // Off by enough that energy and L are kept, but the pace isn't.
+  physics::MotionSettings motion = exactBook();
+  motion.initial.value = {6.28, 0.3, 0.06};
+  for (const auto* rates : {"wx,wy,wz", "gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)"}) {
+    const Table table{.rates = rates, .areAlongBody = rates[0] == 'g', .ratesDelay = 1};
+    const Verdict verdict = verdictOnText(textOf(motion, table));
+    EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << methodThat(verdict);
+  }
+}
+
+TEST(VerdictOnRecordings, AMomentumThatTurnsALittleIsntKept) {
+  const auto drifting = [](std::vector<physics::Sample>& samples) {
+    for (physics::Sample& sample : samples) {
+      const Eigen::Vector3d turn{0, 0, kDegree * sample.time};  // a degree a second
+      sample.attitude = recording::rotationBy(turn) * sample.attitude;
+    }
+  };
+  Table table = kAttitudesAlone;
+  table.spoil = drifting;
+  const Verdict drift = verdictOnText(textOf(exactBook(), table));
+  EXPECT_EQ(drift.errs, Errs::TurnsSlightly) << methodThat(drift);
+  EXPECT_THAT(methodThat(drift), HasSubstr("attitudes that drift"));
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(4 * kDegree, Eigen::Vector3d::UnitY()));
+  const Table turned{.rates = "gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)",
+                     .areAlongBody = true,
+                     .bodyTurn = turn};
+  const Verdict verdict = verdictOnText(textOf(exactBook(), turned));
+  EXPECT_EQ(verdict.errs, Errs::TurnsSlightly) << methodThat(verdict);
+  EXPECT_THAT(methodThat(verdict), HasSubstr("rates along axes that are turned; the rates differ"));
+}
+
 TEST(VerdictOnRecordings, AFactorOfTheRatesIsNoMotionsFault) {
   for (const double factor : {0.98, 0.995, 0.998, 1.002, 1.005, 1.02, 1.04}) {
     const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesPerUnit = 1 / factor}));

@@ -46,7 +46,8 @@ inline constexpr Spellings kMatrices{
     {"11 12 13 21 22 23 31 32 33", "00 01 02 10 11 12 20 21 22", ""}};
 inline constexpr Spellings kRates{
     "wx wy wz",
-    "w g gy gyr gyro gyros gyroscope gyrorotation gyroadc gyrodata omega angularvelocity angvel "
+    "w \xCF\x89 g gy gyr gyro gyros gyroscope gyrorotation gyroadc gyrodata omega angularvelocity "
+    "angvel "
     "angular rate rotationrate motionrotationrate angularrate wrss gyroskop giroscopio "
     "giroscop\xC3\xB3pio "
     "gyroscoop",

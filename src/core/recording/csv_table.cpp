@@ -101,9 +101,11 @@ bool CsvTable::isText(std::size_t row, std::size_t column) const {
 double CsvTable::at(std::size_t row, std::size_t column, const std::string& remedy) const {
   const std::string_view cell = cells_[row * header_.size() + column];
   if (const auto number = numberIn(cell, separator_)) return *number;
+  const bool haveCommas =
+      cell.find_first_not_of("+-.,0123456789") == cell.npos && cell.find(',') != cell.npos;
   failAt(row, "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
                   quotedText(oneLine(cell, kLongestShown)) + ", which is no finite number; " +
-                  remedy);
+                  (haveCommas ? "write numbers without commas, such as 1000.5" : remedy));
 }
 
 std::optional<Decimal> CsvTable::decimalAt(std::size_t row, std::size_t column) const {

@@ -58,7 +58,9 @@ std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options,
   const CsvTable table(named.bytes, named.name);
   Columns columns = columnsIn(table, withoutMissing(options, table));
   if (!columns.acceleration) {
-    table.fail("no accelerometer's columns (ax to az), with gravity; name them with --column");
+    table.fail(
+        "no accelerometer's columns (ax to az) with gravity, as phyphox's Accelerometer.csv and "
+        "Sensor Logger's TotalAcceleration.csv have them; name others with --column");
   }
   columns.rates.reset();
   columns.quaternion.reset();

@@ -36,6 +36,15 @@ TEST(CsvTable, ReadsDecimalCommasWhereCommasDontSeparate) {
   EXPECT_EQ(table.at(0, 1), -1.25e-3);
 }
 
+TEST(CsvTable, CommasInNumbersAreNoMatterOfUnits) {
+  for (const std::string number : {"\"0,5\"", "\"1,000.5\"", "\"1.000,50\""}) {
+    const std::string text = "a,b\n" + number + ",1\n";
+    const CsvTable table(text, "t.csv");
+    EXPECT_THAT(refusalOf([&] { table.at(0, 0, "write the times in s or ms"); }),
+                HasSubstr("no finite number; write numbers without commas, such as 1000.5"));
+  }
+}
+
 TEST(CsvTable, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(tableRefusal(""),
             "t.csv: no rows below a header; a recording is a table of numbers (CSV)");

@@ -64,6 +64,11 @@ TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
       "for all in simulation.rates, or with --rates");
 }
 
+TEST(ReadRecording, KnowsRatesByTheirLetter) {
+  EXPECT_EQ(refusal("t,\xCF\x89x (rad/s),\xCF\x89y (rad/s),\xCF\x89z (rad/s)\n1,0,0,1\n2,0,0,1\n"),
+            "");
+}
+
 TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
   const std::string rates = ",wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,9\n500,0,0,9\n";
   for (const char* time : {"t (ms)", "time_ms", "Time [ms]", "time ( ms )"})

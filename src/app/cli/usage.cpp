@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "scene/key_rows.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -32,11 +33,11 @@ std::vector<std::string> commandNames(const CLI::App& program) {
   return names;
 }
 
-/// Returns "--size" and so on; one letter is as near to any other.
-std::vector<std::string> longOptions(const CLI::App& command) {
-  std::vector<std::string> names;
+/// Returns "size" and so on; one letter is as near to any other.
+std::vector<std::string_view> longOptions(const CLI::App& command) {
+  std::vector<std::string_view> names;
   for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_lnames()) names.emplace_back(name);
   return names;
 }
 
@@ -44,17 +45,35 @@ std::string nearestOf(const std::string& name, const std::vector<std::string>& n
   return didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
+/// Returns the key of a scene's motion or picture that is called so; empty if there is none.
+std::string keyNamed(std::string word) {
+  std::ranges::replace(word, '-', '_');
+  for (const std::string_view section : {"clip.", "simulation.", "look.", "camera.", "overlay.",
+                                         "video.", "body.", "book.", "initial."}) {
+    const std::string name = std::string(section) + word;
+    if (std::ranges::count(scene::allKeys(), name, &scene::KeyRow::name) > 0) return name;
+  }
+  return "";
+}
+
 /// Returns how the unknown option `name` may have been meant; empty if nothing is near.
 std::string optionHint(const CLI::App& program, const std::string& name) {
   const CLI::App& command = chosen(program);
+  const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
   if (command.get_option_no_throw(name) != nullptr)
     return "; it comes after the command: rotatebook " + command.get_name() + " ... " + name;
+  const bool isNamed = command.get_option_no_throw("--" + word) != nullptr;
+  const bool haveScenes = command.get_option_no_throw("--set") != nullptr;
+  const std::string key = isNamed || !haveScenes ? "" : keyNamed(word);
+  if (!key.empty()) return "; it is a key of scenes: --set " + key + "=...";
   for (const CLI::App* other : program.get_subcommands({})) {
     if (other->get_option_no_throw(name) != nullptr)
       return "; it is an option of " + other->get_name();
   }
   if (name.size() == 2) return "";
-  return nearestOf(name.starts_with("--") ? name : "-" + name, longOptions(command));
+  // The dashes are no letters that they have in common.
+  const auto nearest = nearestName(word, longOptions(command));
+  return nearest ? "; did you mean " + quotedText("--" + std::string(*nearest)) + "?" : "";
 }
 
 /// Returns whether an argument that begins with a dash is likely a file.

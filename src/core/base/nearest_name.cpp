@@ -29,6 +29,28 @@ constexpr std::array kOtherWords{
     OtherWord{"frame_rate", "fps"},
     OtherWord{"framerate", "fps"},
     OtherWord{"resolution", "size"},
+    OtherWord{"length", "duration"},
+    OtherWord{"width", "size"},
+    OtherWord{"height", "size"},
+    OtherWord{"omega", "angular_velocity"},
+    OtherWord{"spin", "angular_velocity"},
+    OtherWord{"velocity", "angular_velocity"},
+    OtherWord{"rotation", "angular_velocity"},
+    OtherWord{"angle", "tilt"},
+    OtherWord{"weight", "mass"},
+    OtherWord{"moments", "inertia"},
+    OtherWord{"fov", "field_of_view_deg"},
+    OtherWord{"zoom", "field_of_view_deg"},
+    OtherWord{"eye", "position"},
+    OtherWord{"look_at", "target"},
+    OtherWord{"bg", "background"},
+    OtherWord{"blur", "motion_blur"},
+    OtherWord{"antialias", "supersample"},
+    OtherWord{"antialiasing", "supersample"},
+    OtherWord{"method", "integrator"},
+    OtherWord{"solver", "integrator"},
+    OtherWord{"runge-kutta", "rk4"},
+    OtherWord{"rungekutta", "rk4"},
     OtherWord{"language", "words"},
     OtherWord{"half-turns", "Flips"},
     OtherWord{"flips", "half_turns"},
@@ -42,6 +64,13 @@ constexpr std::array kOtherWords{
     OtherWord{"deutsch", "german"},
     OtherWord{"de", "german"},
     OtherWord{"en", "english"},
+    // Commands and options
+    OtherWord{"spin", "info"},
+    OtherWord{"body", "info"},
+    OtherWord{"init", "new"},
+    OtherWord{"validate", "check"},
+    OtherWord{"at", "time"},
+    OtherWord{"force", "overwrite"},
     // Units
     OtherWord{"metre", "m"},
     OtherWord{"metres", "m"},
@@ -102,6 +131,20 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   return edits[a.size()][b.size()];
 }
 
+/// Returns the one candidate that begins with `word`; none if it is short, or several do.
+std::optional<std::string_view> completed(std::string_view word,
+                                          std::span<const std::string_view> candidates) {
+  constexpr std::size_t kShortest = 3;
+  std::optional<std::string_view> found;
+  for (const std::string_view candidate : candidates) {
+    if (word.size() < kShortest || editDistance(word, candidate.substr(0, word.size())) > 0)
+      continue;
+    if (found) return std::nullopt;
+    found = candidate;
+  }
+  return found;
+}
+
 }  // namespace
 
 std::optional<std::string_view> nearestName(std::string_view word,
@@ -109,6 +152,7 @@ std::optional<std::string_view> nearestName(std::string_view word,
   for (const auto& [other, name] : kOtherWords) {
     if (editDistance(word, other) == 0 && std::ranges::count(candidates, name) > 0) return name;
   }
+  if (const auto whole = completed(word, candidates)) return whole;
   std::optional<std::string_view> nearest;
   std::size_t fewest = 0;
   for (const std::string_view candidate : candidates) {

@@ -8,9 +8,10 @@
 
 namespace rotatebook {
 
-/// Returns the candidate that `word` means in other words, such as "degrees", or most likely
-/// misspells; none if all are too different. Upper and lower case count as equal; an edit is a
-/// letter added, left out, changed, or swapped with its neighbour.
+/// Returns the candidate that `word` means in other words, such as "degrees", that alone begins
+/// with it, or else that it most likely misspells; none if all are too different. Upper and lower
+/// case count as equal; an edit is a letter added, left out, changed, or swapped with its
+/// neighbour.
 std::optional<std::string_view> nearestName(std::string_view word,
                                             std::span<const std::string_view> candidates);
 

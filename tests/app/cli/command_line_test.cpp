@@ -132,6 +132,8 @@ TEST_F(CommandLine, SuggestsTheNearestCommand) {
   const std::string advice = "\nRun 'rotatebook --help' for more information.\n";
   expectRefused({"redner", "tiny.toml"},
                 "rotatebook: unknown command: redner; did you mean \"render\"?" + advice);
+  expectRefused({"spin", "tiny.toml"},
+                "rotatebook: unknown command: spin; did you mean \"info\"?" + advice);
   expectRefused({"xyz"}, "rotatebook: unknown command: xyz" + advice);
   expectRefused({"tiny.toml"},
                 "rotatebook: unknown command: tiny.toml; it is a scene: rotatebook render "
@@ -180,6 +182,16 @@ INSTANTIATE_TEST_SUITE_P(
         WrongOption{"BeforeTheCommand",
                     {"--size", "64x36", "render", "tiny.toml"},
                     " of render: --size; it comes after the command: rotatebook render ... --size"},
+        WrongOption{"Abbreviated",
+                    {"render", "tiny.toml", "--out", "x"},
+                    " of render: --out; did you mean \"--output\"?"},
+        WrongOption{"NotByItsDashes", {"check", "tiny.toml", "--out", "x"}, " of check: --out"},
+        WrongOption{"InOtherWords",
+                    {"still", "tiny.toml", "--at", "3"},
+                    " of still: --at; did you mean \"--time\"?"},
+        WrongOption{"AKeyOfScenes",
+                    {"render", "tiny.toml", "--fps", "30"},
+                    " of render: --fps; it is a key of scenes: --set clip.fps=..."},
         WrongOption{"WithoutACommand", {"--sise"}, ": --sise"},
         WrongOption{"OneLetter", {"render", "tiny.toml", "-z"}, " of render: -z"},
         WrongOption{"NothingNear", {"render", "tiny.toml", "--xyz"}, " of render: --xyz"},

@@ -46,6 +46,15 @@ TEST(NearestName, SuggestsNothingForAnotherWord) {
   EXPECT_EQ(nearest(std::string(10'000, 's')), "none");
 }
 
+TEST(NearestName, CompletesWhatOneAloneBeginsWith) {
+  constexpr std::array<std::string_view, 3> kOptions{"output", "overwrite", "overview"};
+  const auto meant = [&](std::string_view word) { return nearestName(word, kOptions); };
+  EXPECT_EQ(meant("out"), "output");
+  EXPECT_EQ(meant("overw"), "overwrite");
+  EXPECT_EQ(meant("over"), std::nullopt);
+  EXPECT_EQ(meant("ou"), std::nullopt);
+}
+
 TEST(NearestName, KnowsOtherWordsOfTheSameMeaning) {
   constexpr std::array<std::string_view, 6> kMeant{"front", "step", "deg", "s", "middle", "german"};
   const auto meant = [&](std::string_view word) { return nearestName(word, kMeant); };

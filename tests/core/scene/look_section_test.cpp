@@ -32,6 +32,7 @@ TEST(LookSection, RefusesWhatThereIsNot) {
       errorOf("[look]\nbackground = 'star'"),
       "a.toml:2:14: look.background must be \"studio\", \"stars\", \"transparent\", \"white\", "
       "\"black\" or a colour such as \"#2b5d8a\", not \"star\"; did you mean \"stars\"?");
+  EXPECT_TRUE(errorOf("[look]\nbackground = 'whit'").ends_with("; did you mean \"white\"?"));
   EXPECT_EQ(errorOf("[look]\nsupersample = 3"),
             "a.toml:2:15: look.supersample must be an integer from 1 to 2, not 3");
   EXPECT_EQ(errorOf("[look]\nmotion_blur = 6"),

@@ -61,8 +61,10 @@ void readBackground(const ValueReader& value, LookSettings& look) {
   }
   const auto named = std::ranges::find(kBackgrounds, *text, &Named<Background>::name);
   if (named == kBackgrounds.end()) {
+    std::vector<std::string_view> names{"white", "black"};
+    std::ranges::copy(namesOf(kBackgrounds), std::back_inserter(names));
     value.fail(value.name() + " must be " + kBackgroundTexts + ", not " + describe(value.node()) +
-               didYouMean(*text, namesOf(kBackgrounds)));
+               didYouMean(*text, names));
   }
   look.background = named->value;
 }

@@ -206,8 +206,8 @@ std::vector<Range> fastRuns(const InertialRecording& recording) {
 /// Returns why there is no flight where angular momentum changes by `change` at least.
 std::string problemOf(double change) {
   if (change < kLargestChange) {
-    return "it moves only as a body would that has moments that none has; does each axis have "
-           "its own scale?";
+    return "it moves only as a body would that has moments that none has: it spins too steadily to "
+           "tell, or each axis has its own scale";
   }
   return "no body's angular momentum would stay within " + percentOf(kLargestChange) + " for " +
          roundedText(kShortestThrow, 2) + " s (root mean square), at best within " +

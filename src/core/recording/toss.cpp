@@ -218,6 +218,16 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
   return result;
 }
 
+/// Returns how fast the body turns at most, where that is too slow for a throw; else nothing.
+std::string slownessOf(const InertialRecording& recording) {
+  double fastest = 0;
+  for (const InertialReading& one : recording.readings)
+    fastest = std::max(fastest, one.rate.angularVelocity.norm());
+  if (fastest > kSlowestThrow) return "";
+  return ", which reach " + degreesASecond(fastest) + ", though throws are faster than " +
+         degreesASecond(kSlowestThrow) + "; state their unit if it is another";
+}
+
 /// Returns the only throw that is accepted.
 TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
                   const TossOptions& options) {
@@ -232,9 +242,8 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
   if (accepted.size() == 1) return *last->fit;
   if (throws.size() == 1) throw InputError(throws.front().refusal);  // No flight, or not telling.
   if (throws.empty()) {
-    throw InputError(name +
-                     ": no throw was found in the rates alone; state the flight with --from and "
-                     "--to");
+    throw InputError(name + ": no throw was found in the rates alone" + slownessOf(recording) +
+                     "; state the flight with --from and --to");
   }
   constexpr std::size_t kShown = 8;
   const std::size_t count = accepted.size();

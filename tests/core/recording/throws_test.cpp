@@ -226,7 +226,22 @@ TEST(Throws, ArentSeenInARest) {
   recording.readings.resize(100);
   EXPECT_TRUE(findThrows(recording, "t.csv", {}).empty());
   EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {}); }),
-              HasSubstr("no throw was found in the rates alone"));
+              HasSubstr("no throw was found in the rates alone, which reach"));
+  // Degrees that are taken for radians, or the other way round
+  recording = several(1);
+  for (InertialReading& one : recording.readings) one.rate.angularVelocity *= 0.0174533;
+  EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {}); }),
+              HasSubstr(" deg/s, though throws are faster than 115 deg/s; state their unit if"));
+}
+
+TEST(Throws, ASteadySpinIsSaidToTellNothing) {
+  InertialRecording recording;
+  for (int i = 0; i < 300; ++i) {
+    const double ripple = 1e-3 * (i % 7 - 3);
+    recording.readings.push_back({{0.01 * i, {8 + ripple, 1e-3, ripple}}});
+  }
+  EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {}); }),
+              HasSubstr("too steadily to tell"));
 }
 
 }  // namespace

@@ -20,6 +20,14 @@ struct stat statusOf(const FileDescriptor& file) {
   return status;
 }
 
+/// Returns whether `path` still is the name of the file.
+bool isNamed(const FileDescriptor& file, const std::filesystem::path& path) {
+  struct stat there {};
+  const struct stat here = statusOf(file);
+  return lstat(path.c_str(), &there) == 0 && there.st_dev == here.st_dev &&
+         there.st_ino == here.st_ino;
+}
+
 }  // namespace
 
 Locking tryLock(const FileDescriptor& file, Lock lock) {
@@ -39,8 +47,9 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
       return {};
     }
     if (tryLock(file, lock) == Locking::Refused) return {};
-    // Another process may have removed it before it was locked.
-    if (statusOf(file).st_nlink == 0) continue;
+    // Another process or thread may have removed it, or given it its final name, before it was
+    // locked: then this is somebody's finished file.
+    if (!isNamed(file, path)) continue;
     if (ftruncate(file.number(), 0) != 0) return {};
     return file;
   }

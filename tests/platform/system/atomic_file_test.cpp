@@ -1,9 +1,11 @@
 #include "system/atomic_file.h"
 
 #include <chrono>
+#include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <string>
 #include <sys/stat.h>
@@ -16,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "system/file_descriptor.h"
 #include "system/temporary_files.h"
 
 namespace rotatebook {
@@ -112,6 +115,24 @@ TEST_F(AtomicFileTest, OfSeveralProcessesOneMakesAFile) {
     EXPECT_EQ(made, 1);
   }
   EXPECT_EQ(filesInFolder(), 20);
+}
+
+// One may open the file under its temporary name before another gives it its final one, and lock it
+// after: it mustn't empty it then.
+TEST_F(AtomicFileTest, OfSeveralThreadsNoneTakesAnothersFinishedFile) {
+  constexpr int kTimes = 50'000;
+  const fs::path path = folder_ / ".tile", finished = folder_ / "tile";
+  const auto writeOften = [&] {
+    int lost = 0;
+    for (int i = 0; i < kTimes; ++i) {
+      const system::FileDescriptor file = system::createLocked(path, system::Lock::Exclusive);
+      if (file.isOpen() && std::rename(path.c_str(), finished.c_str()) != 0) ++lost;
+    }
+    return lost;
+  };
+  std::vector<std::future<int>> threads;
+  for (int i = 0; i < 8; ++i) threads.push_back(std::async(std::launch::async, writeOften));
+  for (auto& thread : threads) EXPECT_EQ(thread.get(), 0);
 }
 
 TEST_F(AtomicFileTest, UseIsSharedOrNot) {

@@ -23,14 +23,20 @@ bool isUnused(const fs::path& folder) {
   return !error;
 }
 
+/// Returns whether `folder` is one itself, and no link to one, also if its name ends in a slash.
+bool isPlainFolder(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(
+      fs::symlink_status(folder.has_filename() ? folder : folder.parent_path(), ignored));
+}
+
 /// Returns the files that the mark in `folder` lists. Throws InputError if there is none, and the
 /// folder isn't unused.
 PackFiles filesMarkedIn(const fs::path& folder) {
   const fs::path mark = folder / kPackMark;
-  std::error_code ignored;
   if (!system::isOccupied(folder)) return {};
-  if (!fs::is_directory(folder, ignored))
-    throw InputError("--pack " + folder.string() + " is no folder; name another");
+  if (!isPlainFolder(folder))
+    throw InputError("--pack " + folder.string() + " is no folder, or a link to one; name another");
   const auto files =
       system::isPlainFile(mark) ? parsePackMark(system::readFileOrEmpty(mark)) : std::nullopt;
   if (files) return *files;

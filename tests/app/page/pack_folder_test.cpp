@@ -51,6 +51,15 @@ TEST(PackFolder, TakesOneInWhichAProcessWasKilledBeforeTheMark) {
 }
 
 // Whatever the instant, the mark knows the file that is there: the earlier one or the new one.
+TEST(PackFolder, IsNoLinkToAnother) {
+  const fs::path folder = emptyFolder();
+  fs::create_directories(folder / "theirs");
+  fs::create_directory_symlink("theirs", folder / "site");
+  EXPECT_THROW(PackFolder(folder / "site", {"a.txt"}), InputError);
+  EXPECT_THROW(PackFolder(folder / "site/", {"a.txt"}), InputError);
+  EXPECT_TRUE(fs::is_empty(folder / "theirs"));
+}
+
 TEST(PackFolder, KnowsAFileBeforeItIsThere) {
   const fs::path folder = emptyFolder() / "site";
   PackFolder pack(folder, {"a.txt"});

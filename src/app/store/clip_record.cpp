@@ -243,6 +243,12 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   return record;
 }
 
+bool isPlainRecord(const ClipRecord& record, const std::string& text) {
+  if (record.provenance.program != kVersion) return true;
+  const std::string whole = sceneRecord(record.scene, record.provenance);
+  return text == (record.part ? recordOfPart(whole, *record.part) : whole);
+}
+
 bool looksLikeRecord(const std::string& text) {
   return text.starts_with(kMadeBy);
 }
@@ -268,6 +274,7 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   const video::ClipMetadata metadata = video::readClipMetadata(clip);
   const fs::path folder = textures.folder.empty() ? clip.parent_path() : textures.folder;
   RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};
+  recorded.text = metadata.comment;
   scene::Scene& scene = recorded.record.scene;
   scene.allowOutside = textures.allowOutside;
   // A file of that name beside the clip may be another, such as the clip's own table.

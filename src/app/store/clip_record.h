@@ -58,6 +58,10 @@ struct ClipRecord {
 ClipRecord parseRecord(const std::string& text, const std::filesystem::path& clip,
                        const std::filesystem::path& sceneFolder);
 
+/// Returns whether `text`, which `record` was parsed from, is as this version writes it, with
+/// nothing else in it; true of other versions' records, whose texts may differ.
+bool isPlainRecord(const ClipRecord& record, const std::string& text);
+
 /// Returns whether `text` is the record of a clip of `scene`, whole or in part; tools may differ.
 bool isRecordOf(const scene::Scene& scene, const std::string& text);
 
@@ -70,6 +74,7 @@ struct RecordedClip {
   video::VideoFormat format = video::VideoFormat::Mp4;
   ClipRecord record;
   std::map<std::string, std::string> textures{};  ///< picture::TextureFiles
+  std::string text{};                             ///< The record's.
 };
 
 /// The location of a recorded scene's textures.

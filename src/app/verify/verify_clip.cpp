@@ -47,6 +47,12 @@ std::set<std::int64_t> chosenFrames(store::FrameRange range, const std::string& 
   return {options.frames.begin(), options.frames.end()};
 }
 
+ClipCheck checkRecord(const store::RecordedClip& clip) {
+  constexpr const char* kWanted = "as rotatebook writes it";
+  const bool isPlain = store::isPlainRecord(clip.record, clip.text);
+  return {"record", isPlain ? kWanted : "other words, or written otherwise", kWanted, isPlain};
+}
+
 ClipCheck checkMotion(const store::Provenance& there, const std::string& motion) {
   return {"motion", motion, there.motion.empty() ? "none is recorded" : there.motion,
           motion == there.motion};
@@ -72,6 +78,7 @@ class Verifier {
                        .range = pipeline::framesToRender(motion_, record_.part),
                        .wholeCount = motion_.frameCount()};
     found.checks = checkStream(reader_.facts(), record_.scene);
+    found.checks.push_back(checkRecord(clip_));
     found.checks.push_back(checkMotion(record_.provenance, motionSum_));
     // Pictures of another size or codec can't be compared, and drawing them may take gigabytes.
     const auto isWrong = [](const ClipCheck& check) {

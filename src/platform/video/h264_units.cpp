@@ -4,6 +4,10 @@
 #include <bit>
 #include <charconv>
 #include <cstddef>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -192,6 +196,42 @@ bool isOfKnownVersion(std::string_view note) {
   return version >= kOldest;
 }
 
+/// Returns whether `text`, "cabac=1 ref=3 ...", states settings of libx264, each once: no word is
+/// free but numbers.
+bool areSettings(const std::string& text) {
+  static const std::regex kSetting(
+      "(8x8dct|analyse|aq|b_adapt|b_bias|b_pyramid|bframes|bluray_compat|cabac|chroma_me|"
+      "chroma_qp_offset|constrained_intra|cqm|crf|deadzone|deblock|decimate|direct|fast_pskip|"
+      "interlaced|intra_refresh|ip_ratio|keyint|keyint_min|lookahead_threads|mbtree|me|me_range|"
+      "mixed_ref|nr|open_gop|pb_ratio|psy|psy_rd|qcomp|qp|qpmax|qpmin|qpstep|rc|rc_lookahead|ref|"
+      "scenecut|sliced_threads|stitchable|subme|threads|trellis|weightb|weightp)="
+      "(dia|hex|umh|esa|tesa|crf|cqp|infinite|[-+0-9.]{1,6}([:,][-+0-9.]{1,6}){0,2}|"
+      "0x[0-9a-f]{1,4}:0x[0-9a-f]{1,4})");
+  std::set<std::string> names;
+  std::istringstream words(text);
+  std::size_t length = 0;
+  for (std::string word; words >> word; length += word.size() + 1) {
+    std::smatch parts;
+    if (!std::regex_match(word, parts, kSetting) || !names.insert(parts[1]).second) return false;
+  }
+  return length == text.size() + 1;  // One space between two.
+}
+
+/// Returns whether `note` has the words of libx264, of whatever build, and no others.
+bool isPlainNote(std::string_view note) {
+  constexpr std::size_t kLongest = 2000;
+  static const std::regex kVersion(
+      "x264 - core [0-9]{3}( r[0-9]{1,5}([+][0-9]{1,4})?M?( [0-9a-f]{7,12}M?)?)? - "
+      "H[.]264/MPEG-4 AVC codec - Copy(left|right) 2003-20[0-9]{2} - "
+      "http://www[.]videolan[.]org/x264[.]html");
+  constexpr std::string_view kOptions = " - options: ";
+  if (note.size() > kLongest || !note.ends_with('\0')) return false;
+  note.remove_suffix(1);
+  const std::size_t end = note.find(kOptions);
+  return end != note.npos && std::regex_match(std::string(note.substr(0, end)), kVersion) &&
+         areSettings(std::string(note.substr(end + kOptions.size())));
+}
+
 /// Returns whether a unit is a single message: libx264's version and settings.
 bool isNote(Bytes unit) {
   constexpr std::array<std::uint8_t, 16> kX264{0xdc, 0x45, 0xe9, 0xbd, 0xe6, 0xd9, 0x48, 0xb7,
@@ -207,7 +247,7 @@ bool isNote(Bytes unit) {
     return false;
   const std::string_view note(reinterpret_cast<const char*>(bytes.data()) + at, length);
   return std::equal(kX264.begin(), kX264.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at)) &&
-         isOfKnownVersion(note.substr(kX264.size()));
+         isOfKnownVersion(note.substr(kX264.size())) && isPlainNote(note.substr(kX264.size()));
 }
 
 /// Returns whether a slice begins a picture (7.3.3), and is of the only parameters.

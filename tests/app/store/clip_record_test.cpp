@@ -81,6 +81,24 @@ TEST(SceneRecord, OfAPartNamesItsFrames) {
   EXPECT_EQ(recordOfPart("title = 'of somebody else'\n", {3, 5}), "title = 'of somebody else'\n");
 }
 
+TEST(SceneRecord, OfThisVersionHoldsNoOtherWords) {
+  Provenance own = kProvenance;
+  own.program = kVersion;
+  const auto isPlain = [](const std::string& text) {
+    return isPlainRecord(parseRecord(text, "x", ""), text);
+  };
+  const std::string record = sceneRecord(smallScene(), own), part = recordOfPart(record, {3, 5});
+  EXPECT_TRUE(isPlain(record));
+  EXPECT_TRUE(isPlain(part));
+  for (const std::string& text : {record + "\n", record + "# It lasts 8 s\n", part + "#\n",
+                                  "# Made by rotatebook " + own.program +
+                                      " from the scene small\n# Proved by an institute\n" +
+                                      record.substr(record.find('\n') + 1)}) {
+    EXPECT_FALSE(isPlain(text)) << text.substr(0, 100);
+  }
+  EXPECT_TRUE(isPlain(smallRecord() + "# Of another version\n"));
+}
+
 TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   scene::Scene scene = smallScene();
   scene.name = "a\nb = 1";

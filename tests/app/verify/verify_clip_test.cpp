@@ -125,7 +125,7 @@ TEST(VerifyClip, ProvesWhatARenderMade) {
     const Verification found = verifyClip(folder / name, {.allFrames = true});
     EXPECT_TRUE(proved(found)) << name;
     EXPECT_THAT(found.toolsDiffer, IsEmpty());
-    EXPECT_EQ(found.checks.size(), 18U);
+    EXPECT_EQ(found.checks.size(), 19U);
     EXPECT_EQ(found.pictures.size(), static_cast<std::size_t>(kFrames));
     EXPECT_EQ(found.range, (store::FrameRange{0, kFrames}));
   }
@@ -378,6 +378,12 @@ TEST(VerifyClip, FindsAnotherTitle) {
   const Verification found =
       verified({.change = [](video::VideoSettings& settings) { settings.title = "Another"; }});
   EXPECT_THAT(failedIn(found), ElementsAre("title"));
+}
+
+TEST(VerifyClip, FindsOtherWordsInTheRecord) {
+  const Verification found = verified(
+      {.change = [](video::VideoSettings& settings) { settings.comment += "# It lasts 8 s\n"; }});
+  EXPECT_THAT(failedIn(found), ElementsAre("record"));
 }
 
 TEST(VerifyClip, NotesOtherTools) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -100,6 +101,24 @@ TEST(CodedUnits, AreOfNoOldLibx264) {
   EXPECT_EQ(streamWith("033"), "picture 0, as coded, holds a foreign message");
   EXPECT_EQ(streamWith("150"), "picture 0, as coded, holds a foreign message");
   EXPECT_EQ(streamWith("x64"), "picture 0, as coded, holds a foreign message");
+}
+
+TEST(CodedUnits, HaveNoWordsButLibx264s) {
+  const auto streamWith = [](const std::string& there, const std::string& changed) {
+    return differencesWith(VideoFormat::Mp4,
+                           [&](std::string& packet, int n) {
+                             if (n == 0) packet.replace(packet.find(there), there.size(), changed);
+                           })
+        .stream;
+  };
+  EXPECT_EQ(streamWith(" ref=", " ref="), "");
+  EXPECT_EQ(streamWith("2003-20", "2003-21"), "picture 0, as coded, holds a foreign message");
+  const std::vector<std::pair<std::string, std::string>> words{
+      {"cabac", "kabac"}, {"Copy", "Kopy"},     {"www.", "wwww"},
+      {" ref", "_ref"},   {"qpmin=", "qpmax="}, {"rc=crf", "rc=hey"}};
+  for (const auto& [there, changed] : words) {
+    EXPECT_EQ(streamWith(there, changed), "picture 0, as coded, holds a foreign message") << there;
+  }
 }
 
 // A unit in a unit, which decoders find that look for start codes.

@@ -15,7 +15,7 @@
 #include "cli/scene_options.h"
 #include "image/png_file.h"
 #include "picture/sheet.h"
-#include "store/clip_files.h"
+#include "store/result_owners.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -55,6 +55,8 @@ int writeSheet(const SheetArguments& arguments) {
   const std::string output = outputOf(arguments, scenes);
   refuseInputs(output, inputs);
   requireEnding(output, ".png");
+  store::refuseResultsOfOthers({store::ResultKind::Still, scenes.front().name}, {output},
+                               "the sheet would replace it; name another file with -o");
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   picture::SheetOptions options = arguments.options;

@@ -74,8 +74,12 @@ int simulateScene(const SimulateArguments& arguments) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
     requireEnding(file, ".csv", "--csv");
   }
-  store::refuseResultsOfOthers({store::ResultKind::Clip, scene.name}, files,
-                               "the table would replace it; name another file with --csv");
+  const std::string remedy = "the table would replace it; name another file with --csv";
+  store::refuseResultsOfOthers({store::ResultKind::Clip, scene.name}, files, remedy);
+  if (!files.empty()) {
+    const std::filesystem::path folder = files.front().parent_path();
+    store::refuseNoResultsOfClip(store::clipFiles(folder, scene.name), files, remedy);
+  }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, scene, motion);
   const std::vector<timeline::MotionSummary> motions =

@@ -31,9 +31,8 @@ int writeStill(const StillArguments& arguments) {
   if (arguments.output.empty()) refuseSameNames({scene});
   refuseInputs(output, inputsOf(arguments.scene, scene));
   requireEnding(output, ".png");
-  if (arguments.output.empty())
-    store::refuseResultsOfOthers({store::ResultKind::Still, scene.name}, {output},
-                                 "the still would replace it; name another file with -o");
+  store::refuseResultsOfOthers({store::ResultKind::Still, scene.name}, {output},
+                               "the still would replace it; name another file with -o");
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   const std::int64_t frame =

@@ -77,9 +77,10 @@ void refuseLostResults(const scene::Scene& scene, const farm::PlanWishes& wishes
   const std::string remedy = std::string("the ") + nameOf(wishes.work) + " of " + scene.name +
                              " would replace it; name another folder with -o";
   if (wishes.work == farm::Work::Render) {
-    store::refuseResultsOfOthers(
-        {store::ResultKind::Clip, scene.name},
-        outputFiles(store::clipFiles(wishes.folder, scene.name), scene, wishes.formats), remedy);
+    const store::ClipFiles files = store::clipFiles(wishes.folder, scene.name);
+    const std::vector<std::filesystem::path> outputs = outputFiles(files, scene, wishes.formats);
+    store::refuseResultsOfOthers({store::ResultKind::Clip, scene.name}, outputs, remedy);
+    store::refuseNoResultsOfClip(files, outputs, remedy);
   } else if (wishes.work == farm::Work::Map) {
     const store::MapFiles files = store::mapFiles(wishes.folder, scene.name);
     store::refuseResultsOfOthers({store::ResultKind::Map, scene.name}, allOf(files), remedy);

@@ -40,10 +40,11 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
   for (const fs::path& output : outputs_)
     locks_.emplace_back(output, settings.part ? system::Lock::Shared : system::Lock::Exclusive);
   if (!settings.earlier.overwrite) {
-    refuseResultsOfOthers({ResultKind::Clip, settings.scene.name}, outputs_,
-                          "the render of " + settings.scene.name +
-                              " would replace it; rename the scene or its panel, render into "
-                              "another folder with -o, or replace it with --overwrite");
+    const std::string remedy = "the render of " + settings.scene.name +
+                               " would replace it; rename the scene or its panel, render into "
+                               "another folder with -o, or replace it with --overwrite";
+    refuseResultsOfOthers({ResultKind::Clip, settings.scene.name}, outputs_, remedy);
+    refuseNoResultsOfClip(files, outputs_, remedy);
   }
   try {
     settings.part ? openPart(settings) : openWhole(settings);

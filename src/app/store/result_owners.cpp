@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "store/clip_files.h"
+#include "store/clip_record.h"
 #include "store/fingerprint.h"
 #include "store/manifest.h"
 #include "store/other_settings.h"
@@ -15,6 +16,7 @@
 #include "study/map_files.h"
 #include "study/study_csv.h"
 #include "system/read_file.h"
+#include "timeline/clip_tables.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::store {
@@ -51,12 +53,33 @@ bool isOfMap(const MapFiles& map, const fs::path& file) {
   return file != map.csv || study::isMapHeader(headerOf(file));
 }
 
-bool isFilm(const fs::path& file) {
+/// Returns the record in a video; empty if there is none.
+std::string recordIn(const fs::path& video) {
   try {
-    return isRecordOfFilm(video::readClipMetadata(file).comment);
+    return video::readClipMetadata(video).comment;
   } catch (const InputError&) {  // It is no clip
-    return false;
+    return "";
   }
+}
+
+bool isFilm(const fs::path& file) {
+  return isRecordOfFilm(recordIn(file));
+}
+
+/// Returns whether a file is the table of a clip's motion or grid, by its header.
+bool isTable(const fs::path& csv) {
+  return csv.extension() == ".csv" && timeline::isTableHeader(headerOf(csv));
+}
+
+/// Returns whether files of this ending hold records.
+bool holdsRecords(const fs::path& file) {
+  return file.extension() == ".mp4" || file.extension() == ".webm";
+}
+
+/// Returns whether a file is one of a clip's folder: a frame, its record or its checksums.
+bool isInFrameFolder(const fs::path& file) {
+  return isNameInFrameFolder(file.filename().string()) &&
+         readManifest(file.parent_path()).has_value();
 }
 
 bool isOfStudy(const StudyFiles& study, const fs::path& file) {
@@ -90,6 +113,8 @@ bool isOfClip(const std::string& name, const fs::path& file) {
 std::vector<Results> ownersOf(const fs::path& file, bool isForClip) {
   const std::string name = file.filename().string();
   std::vector<Results> owners;
+  if (!isForClip && isInFrameFolder(file))
+    owners.push_back({ResultKind::Clip, fs::absolute(file).parent_path().filename().string()});
   for (std::size_t end = name.find_first_of(".-", 1); end != name.npos;
        end = name.find_first_of(".-", end + 1)) {
     const std::string start = name.substr(0, end);
@@ -112,6 +137,20 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
     if (owners.empty() || std::ranges::count(owners, own) > 0) continue;
     throw InputError(file.string() + " belongs to " + titleOf(owners.front().kind) + ' ' +
                      owners.front().name + ", and " + remedy);
+  }
+}
+
+void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& outputs,
+                           const std::string& remedy) {
+  const bool hasTable = std::ranges::any_of(outputs, isTable);
+  for (const fs::path& file : outputs) {
+    std::error_code missing;
+    if (!fs::is_regular_file(file, missing)) continue;
+    const bool isKnown = file.extension() == ".csv" ? isTable(file)
+                         : holdsRecords(file)       ? looksLikeRecord(recordIn(file))
+                                                    : hasTable;
+    if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;
+    throw InputError(file.string() + " was left by no render, and " + remedy);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "store/clip_files.h"
 #include "store/map_files.h"
 
 namespace rotatebook::store {
@@ -26,6 +27,14 @@ struct Results {
 /// record says; or by a study, whose table begins as such do. The message ends with `remedy`, which
 /// also says what would replace it.
 void refuseResultsOfOthers(const Results& own, const std::vector<std::filesystem::path>& outputs,
+                           const std::string& remedy);
+
+/// Throws InputError if one of `outputs` of the clip `files`, all in one folder, is a table, video
+/// or poster that no render left: tables begin as such do, MP4s and WebMs hold a record, and the
+/// others follow from a table, which a render writes first, or from the manifest. The message ends
+/// with `remedy`, as above.
+void refuseNoResultsOfClip(const ClipFiles& files,
+                           const std::vector<std::filesystem::path>& outputs,
                            const std::string& remedy);
 
 /// Throws InputError if a map would replace or remove a table, JSON or picture that no map left. Of

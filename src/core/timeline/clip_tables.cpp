@@ -18,6 +18,9 @@ std::vector<Measure> momentaryMeasures() {
   return all;
 }
 
+constexpr std::string_view kMotionColumns = "frame,time_s,qw,qx,qy,qz,wx,wy,wz,";
+constexpr std::string_view kDivergenceColumn = ",diverges_at";
+
 std::string keyCell(const std::optional<GridAxis>& axis) {
   return axis ? axis->key + "," : "";
 }
@@ -41,7 +44,7 @@ std::string gridCsv(const scene::Scene& scene, const ClipMotion& motion) {
   const scene::GridSettings& grid = *scene.grid;
   std::string text = keyCell(grid.columns) + keyCell(grid.rows) + "time_s";
   for (const Measure measure : momentaryMeasures()) text += ',' + std::string(nameOf(measure));
-  text += ",diverges_at\n";
+  text += std::string(kDivergenceColumn) + '\n';
   const std::size_t columns = grid.columnCount();
   for (std::size_t i = 0; i < motion.trajectories().size(); ++i) {
     text += valueCell(grid.columns, i % columns) + valueCell(grid.rows, i / columns) +
@@ -64,6 +67,10 @@ std::string tableText(const scene::Scene& scene, const ClipMotion& motion, std::
   std::string text;
   writeTable(scene, motion, index, [&text](std::string_view piece) { text += piece; });
   return text;
+}
+
+bool isTableHeader(std::string_view row) {
+  return row.starts_with(kMotionColumns) || row.ends_with(kDivergenceColumn);
 }
 
 std::size_t rowCount(const scene::Scene& scene, const ClipMotion& motion, std::size_t index) {

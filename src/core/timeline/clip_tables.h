@@ -19,6 +19,9 @@ void writeTable(const scene::Scene& scene, const ClipMotion& motion, std::size_t
                 const std::function<void(std::string_view)>& take);
 /// Returns the same table as a whole.
 std::string tableText(const scene::Scene& scene, const ClipMotion& motion, std::size_t index);
+/// Returns whether a row without its line end is the header of such a table: of a motion's or of a
+/// grid's, of this version or an earlier one.
+bool isTableHeader(std::string_view row);
 /// Returns the number of its rows, without the header.
 std::size_t rowCount(const scene::Scene& scene, const ClipMotion& motion, std::size_t index);
 

@@ -140,6 +140,61 @@ TEST_F(SameNames, OfAStillAndAMap) {
   EXPECT_TRUE(read("m.png") == map);
 }
 
+TEST_F(SameNames, OfPicturesAndWhatAMapOrAClipLeft) {
+  makeScenes({"m"});
+  ASSERT_EQ(run({"map", "m.toml"}).status, 0);
+  ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
+  const auto expectPictureKept = [this](const std::string& file, const std::string& owner) {
+    const std::string bytes = read(file);
+    for (const char* command : {"still", "sheet"}) {
+      const ChildResult refused = run({command, "tiny.toml", "-o", file});
+      EXPECT_EQ(refused.status, 2) << command << ' ' << file;
+      EXPECT_THAT(refused.error, HasSubstr(file + " belongs to " + owner + ", and the " + command +
+                                           " would replace it; name another file with -o"));
+      EXPECT_TRUE(read(file) == bytes) << command << ' ' << file;
+    }
+  };
+  expectPictureKept("out/m.png", "the map m");
+  expectPictureKept("out/m.plain.png", "the map m");
+  expectPictureKept("out/tiny.poster.png", "the clip tiny");
+  expectPictureKept("out/tiny/frame_00003.png", "the clip tiny");
+  for (const char* command : {"still", "sheet"}) {
+    EXPECT_EQ(run({command, "tiny.toml", "-o", "a.png"}).status, 0);
+    EXPECT_EQ(run({command, "tiny.toml", "-o", "a.png"}).status, 0) << "a still's or a sheet's";
+  }
+}
+
+TEST_F(SameNames, OfAClipAndAFileThatNoRenderLeft) {
+  const auto expectForeignKept = [this](const std::string& file, const Command& command,
+                                        const std::string& remedy) {
+    write(file, "t,wx,wy,wz\n");
+    const ChildResult refused = run(command);
+    EXPECT_EQ(refused.status, 2) << file;
+    EXPECT_THAT(refused.error, HasSubstr(file + " was left by no render, and the "));
+    EXPECT_THAT(refused.error, HasSubstr(remedy));
+    EXPECT_EQ(read(file), "t,wx,wy,wz\n");
+    EXPECT_FALSE(has("out/tiny/frame_00000.png"));
+    fs::remove(folder() / file);
+  };
+  for (const char* name : {"out/tiny.csv", "out/tiny.poster.png", "out/tiny.mp4"}) {
+    expectForeignKept(name, {"render", "tiny.toml"}, "--overwrite");
+    expectForeignKept(name, {"submit", "render", "tiny.toml", "--plan", "list", "--chunk", "9"},
+                      "with -o");
+  }
+  expectForeignKept("out/tiny.gif", {"render", "tiny.toml", "--format", "gif"}, "--overwrite");
+  expectForeignKept("out/toss.csv", {"render", "tiny.toml", "-o", "out/toss.mp4"}, "--overwrite");
+  expectForeignKept("out/q.poster.png", {"render", "tiny.toml", "-o", "out/q.mp4"}, "--overwrite");
+  expectForeignKept("out/t.csv", {"simulate", "tiny.toml", "--csv", "out/t.csv"}, "--csv");
+
+  // It may be replaced on purpose, and is the render's then
+  write("out/tiny.csv", "t,wx,wy,wz\n");
+  EXPECT_EQ(run({"render", "tiny.toml", "--no-png", "--overwrite"}).status, 0);
+  EXPECT_EQ(run({"render", "tiny.toml", "--format", "gif"}).status, 0);
+  EXPECT_EQ(run({"render", "tiny.toml", "--size", "32x18", "--format", "gif"}).status, 0);
+  fs::remove_all(folder() / "out/tiny");
+  EXPECT_EQ(run({"render", "tiny.toml", "--format", "gif"}).status, 0) << "its table is there";
+}
+
 // A map removes its earlier files, its table too, though it may be too large to have one.
 TEST_F(SameNames, OfAMapAndAFileOfNoMap) {
   makeScenes({"m"});

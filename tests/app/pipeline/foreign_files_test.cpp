@@ -131,7 +131,9 @@ TEST_F(ForeignFiles, AreAFileInThePlaceOfTheReplacedFolder) {
 TEST_F(ForeignFiles, AreReportedWhereTheyReplacedAnOutput) {
   render({});
   write("small.csv");
-  EXPECT_THAT(render({}).replaced,
+  EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
+              HasSubstr("small.csv was left by no render, and the render of small would replace"));
+  EXPECT_THAT(render({.overwrite = true}).replaced,
               ElementsAre((folder_ / "small.csv").string() + store::kUnknownSettings));
 }
 

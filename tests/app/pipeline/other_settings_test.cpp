@@ -127,8 +127,11 @@ TEST_F(OtherSettings, AreReportedWhereTheyAreReplaced) {
   EXPECT_TRUE(renderGif().replaced.empty());
   EXPECT_TRUE(render(kResume, otherScene()).replaced.empty());
   std::ofstream(folder_ / "small.webm") << "somebody's";
-  const RenderResult webm = testing::render(
-      otherScene(), {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::WebM})});
+  RenderOptions options{.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::WebM})};
+  EXPECT_THAT(messageOf<InputError>([&] { testing::render(otherScene(), options); }),
+              HasSubstr(path("small.webm") + " was left by no render, and the render of small "));
+  options.earlier.overwrite = true;
+  const RenderResult webm = testing::render(otherScene(), options);
   EXPECT_THAT(webm.replaced, ElementsAre(path("small.webm") + " (with unknown settings)"));
 }
 

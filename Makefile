@@ -100,7 +100,7 @@ figures: program
 
 # The picture at the top of docs/figures.md: views that say what there is, small enough for a page.
 gallery: program
-	$(PROGRAM) sheet scenes/stills/fig01-axes.toml scenes/figures/fig05-unstable-x.toml \
+	$(PROGRAM) still scenes/stills/fig01-axes.toml scenes/figures/fig05-unstable-x.toml \
 	  scenes/figures/figa-exact.toml scenes/figures/fig12-quaternion-pulsating.toml \
 	  scenes/figures/fig06-undamped.toml scenes/comparisons/models.toml \
 	  --count 1 --columns 3 --size 640x360 --no-caption -o docs/gallery.png

@@ -18,7 +18,6 @@ void addMapCommand(CLI::App& program, Action& action);
 void addSubmitCommand(CLI::App& program, Action& action);
 void addStatusCommand(CLI::App& program, Action& action);
 void addPageCommand(CLI::App& program, Action& action);
-void addSheetCommand(CLI::App& program, Action& action);
 void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
 void addVerifyCommand(CLI::App& program, Action& action);

@@ -30,8 +30,7 @@ void printComparison(const image::Comparison& comparison) {
 int diff(const DiffArguments& arguments) {
   const std::string what = "one of the pictures to compare";
   if (!arguments.output.empty()) {
-    refuseInputs(arguments.output, {{arguments.first, what}, {arguments.second, what}});
-    requireEnding(arguments.output, ".png");
+    requirePictureOutput(arguments.output, {{arguments.first, what}, {arguments.second, what}});
   }
   const image::Image a = image::readPng(arguments.first);
   const image::Image b = image::readPng(arguments.second);

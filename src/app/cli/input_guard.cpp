@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "picture/named_file.h"
+#include "store/result_owners.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
@@ -55,6 +56,13 @@ void refuseInputs(const fs::path& output, const std::vector<Input>& inputs,
 void requireEnding(const fs::path& output, const std::string& ending, const std::string& option) {
   if (output.extension() == ending) return;
   throw InputError(option + " " + output.string() + ": the name of the file must end in " + ending);
+}
+
+void requirePictureOutput(const fs::path& output, const std::vector<Input>& inputs) {
+  refuseInputs(output, inputs);
+  requireEnding(output, ".png");
+  store::refuseResultsOfOthers({store::ResultKind::Still, ""}, {output},
+                               "the picture would replace it; name another file with -o");
 }
 
 void requireAbsent(const std::filesystem::path& path) {

@@ -46,7 +46,6 @@ void addCommands(CLI::App& program, Action& action) {
   addTossCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
-  addSheetCommand(program, action);
   addBenchCommand(program, action);
   addDoctorCommand(program, action);
   addNewCommand(program, action);

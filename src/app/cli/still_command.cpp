@@ -1,69 +1,144 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
+#include <vector>
 
+#include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/scene_options.h"
+#include "image/png_file.h"
+#include "picture/sheet.h"
 #include "picture/still.h"
-#include "store/result_owners.h"
+#include "store/clip_files.h"
 
 namespace rotatebook::cli {
 namespace {
 
 struct StillArguments {
-  std::string scene;
+  std::vector<std::string> scenes;
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
   std::optional<double> time;
+  std::optional<int> count;
+  picture::SheetOptions sheet;
+  bool noCaption = false;
   std::string output;
+
+  /// Whether there are several pictures, which lie side by side.
+  bool isSheet() const { return count || !sheet.times.empty() || scenes.size() > 1; }
 };
 
-int writeStill(const StillArguments& arguments) {
-  const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
-  if (arguments.output.empty()) refuseSameNames({scene});
-  refuseInputs(output, inputsOf(arguments.scene, scene));
-  requireEnding(output, ".png");
-  store::refuseResultsOfOthers({store::ResultKind::Still, scene.name}, {output},
-                               "the still would replace it; name another file with -o");
-  std::error_code ignored;
-  const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
+void leaveOutCaption(scene::Scene& scene) {
+  std::erase_if(scene.overlay.show, [](scene::Overlay overlay) {
+    return overlay == scene::Overlay::Caption || overlay == scene::Overlay::Settings;
+  });
+}
+
+/// Returns the file to write: the one that was named; else NAME.png, of several pictures
+/// NAME.sheet.png, and of several scenes sheet.png.
+std::string outputOf(const StillArguments& arguments, const std::vector<scene::Scene>& scenes) {
+  if (!arguments.output.empty()) return arguments.output;
+  if (scenes.size() > 1) return "sheet.png";
+  refuseSameNames(scenes);
+  return scenes.front().name + (arguments.isSheet() ? ".sheet.png" : ".png");
+}
+
+void writeOne(const scene::Scene& scene, const StillArguments& arguments,
+              const std::string& output) {
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
   std::cout << scene.name << ": wrote frame " << frame << " to " << oneLine(output) << '\n';
-  if (replaces) {
-    std::cerr << "note: " << scene.name << ": replaced " << oneLine(output) << '\n';
+}
+
+void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& arguments,
+                const std::string& output) {
+  picture::SheetOptions options = arguments.sheet;
+  options.count = arguments.count.value_or(options.count);
+  options.device = arguments.deviceOptions.choice();
+  const image::Image sheet = picture::drawSheet(scenes, options);
+  const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
+  image::writePng(output, sheet.view(), transparent);
+  std::cout << "wrote " << oneLine(output) << ", " << sizeText(sheet.width(), sheet.height())
+            << '\n';
+}
+
+int writeStill(const StillArguments& arguments) {
+  const bool isSheet = arguments.isSheet();
+  if (isSheet && arguments.time)
+    throw InputError("--time is of a single picture; --times are of several");
+  if (!isSheet && arguments.sheet.columns)
+    throw InputError("--columns is of several pictures; add --count, --times or another scene");
+  std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path));
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
+    if (arguments.noCaption) leaveOutCaption(scenes.back());
   }
+  const std::string output = outputOf(arguments, scenes);
+  requirePictureOutput(output, inputs);
+  std::error_code ignored;
+  const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
+  isSheet ? writeSheet(scenes, arguments, output) : writeOne(scenes.front(), arguments, output);
+  if (replaces) std::cerr << "note: replaced " << oneLine(output) << '\n';
   return kDone;
 }
 
 }  // namespace
 
 void addStillCommand(CLI::App& program, Action& action) {
+  constexpr int kMax = 1000;
   auto arguments = std::make_shared<StillArguments>();
-  CLI::App* command = program.add_subcommand("still", "Draw one picture of a scene");
-  command->add_option("SCENE", arguments->scene, "Scene file")->required();
+  CLI::App* command =
+      program.add_subcommand("still", "Draw one picture of a scene, or several side by side");
+  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "PNG to write; by default NAME.png, or NAME.sheet.png of several pictures, in "
+                   "the folder where you are")
+      ->type_name("FILE");
   command
       ->add_option("--time", arguments->time,
                    "Time in the video, whose nearest frame is drawn; by default the poster's")
       ->type_name("SECONDS");
   command
-      ->add_option("-o,--output", arguments->output,
-                   "PNG to write; by default NAME.png, in the folder where you are")
-      ->type_name("FILE");
+      ->add_option("--count", arguments->count,
+                   "Number of frames of each scene, side by side, from its first to its last; 1 "
+                   "draws its poster")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMax));
+  command
+      ->add_option("--times", arguments->sheet.times,
+                   "Times of the frames in the video, in place of --count")
+      ->type_name("SECONDS,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->excludes("--count");
+  command->add_option("--columns", arguments->sheet.columns, "Pictures in a row")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMax));
+  command->add_flag("--no-caption", arguments->noCaption, "Leave the caption out of the pictures");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
+--size is the size of each picture. Beneath each of several is what tells it apart: its time, its
+scene's title, or both. The time is that of the video, as --times and --time take it; where the
+motion's is another, in slow motion, that follows as t.
+
 Examples:
   rotatebook still scenes/starter.toml
-  rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080)");
+  rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080
+  rotatebook still scenes/starter.toml -o sheet.png --times 0,0.5,1 --columns 3
+  rotatebook still scenes/figures/*.toml -o sheet.png --count 1 --size 480x270)");
   command->callback(
       [arguments, &action] { action = [arguments] { return writeStill(*arguments); }; });
 }

@@ -116,7 +116,7 @@ TEST_F(CommandLine, NeedsACommand) {
 
 TEST_F(CommandLine, OnlyTheLastOfARepeatedOptionCounts) {
   const std::vector<std::vector<std::string>> wrongFirst{
-      {"sheet", "tiny.toml", "-o", "-", "-o", "s.png", "--count", "x", "--count", "1"},
+      {"still", "tiny.toml", "-o", "-", "-o", "s.png", "--count", "x", "--count", "1"},
       {"diff", "s.png", "s.png", "--max", "x", "--max", "300", "--max", "2"},
       {"render", "tiny.toml", "--no-png", "--jobs", "x", "-j", "0", "--jobs", "1"},
       {"still", "tiny.toml", "-o", "t.png", "--time", "noon", "--time", "0"}};
@@ -174,7 +174,7 @@ INSTANTIATE_TEST_SUITE_P(
                     {"render", "-size", "64x36", "tiny.toml"},
                     " of render: -size; did you mean \"--size\"?"},
         WrongOption{"RatherThanAMissingOne",
-                    {"sheet", "tiny.toml", "--ouput", "x.png"},
+                    {"still", "tiny.toml", "--ouput", "x.png", "--count", "2"},
                     " of sheet: --ouput; did you mean \"--output\"?"},
         WrongOption{"OfAnotherCommand",
                     {"still", "tiny.toml", "--no-png"},

@@ -133,7 +133,7 @@ TEST_F(DeviceOption, IsRefusedWhereItDrawsNothing) {
                                              {"render", "tiny.toml", "--size", "16x16"},
                                              {"render", "tiny.toml", "--size", "640x360", "--set",
                                               "look.background=transparent", "--format", "webm"},
-                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"still", "tiny.toml", "-o", "x.png", "--count", "2"},
                                              {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
                                              {"bench", "tiny.toml"}}) {
     const ChildResult result = run(words, settings);
@@ -189,7 +189,7 @@ TEST_F(DriverCrash, IsExplainedByEveryCommandThatDraws) {
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"verify", "out/tiny.mp4", "--json"},
                                              {"verify", "out/tiny.mp4", "--again", "again"},
-                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"still", "tiny.toml", "-o", "x.png", "--count", "2"},
                                              {"page", "tiny.toml"},
                                              {"bench", "tiny.toml"}}) {
     const ChildResult result = runWithout(kFramebuffers, words);
@@ -258,7 +258,7 @@ TEST_F(DeviceOption, IsTheMachinesFailureWithoutGraphics) {
 TEST_F(DeviceOption, IsTakenByEveryCommandThatDraws) {
   for (const auto& words :
        std::vector<std::vector<std::string>>{{"render", "tiny.toml"},
-                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"still", "tiny.toml", "-o", "x.png", "--count", "2"},
                                              {"bench", "tiny.toml"}}) {
     std::vector<std::string> all = words;
     all.insert(all.end(), {"--device", "31"});

@@ -129,7 +129,7 @@ TEST_F(Inputs, AreNotWrittenOverByARender) {
 TEST_F(Inputs, AreNotWrittenOverByCommandsOfOnePicture) {
   expectRefused("x.png", ofAll, {"still", "all.toml", "-o", "x.png"});
   expectRefused("all.png", ofAll, {"still", "all.toml"});
-  expectRefused("x.png", ofAll, {"sheet", "all.toml", "-o", "x.png"});
+  expectRefused("x.png", ofAll, {"still", "all.toml", "-o", "x.png", "--count", "2"});
 }
 
 TEST_F(Inputs, AreNotWrittenOverByTablesAndPages) {

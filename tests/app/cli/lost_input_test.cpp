@@ -39,7 +39,7 @@ TEST_F(LostInput, IsNoScene) {
   fs::create_hard_link(folder() / "tiny.toml", folder() / "in/hard.toml");
   for (const char* output : {"tiny.toml", "./in/../tiny.toml", "in/hard.toml"}) {
     expectKept("tiny.toml", scene, {"still", "tiny.toml", "--time", "0", "-o", output});
-    expectKept("tiny.toml", scene, {"sheet", "tiny.toml", "-o", output});
+    expectKept("tiny.toml", scene, {"still", "tiny.toml", "-o", output, "--count", "2"});
     expectKept("tiny.toml", scene, {"simulate", "tiny.toml", "--csv", output});
   }
   write("table.csv", kTiny);
@@ -62,7 +62,7 @@ TEST_F(LostInput, IsNoFileOfAnotherFormat) {
   };
   const std::string png = "-o clip.mp4: the name of the file must end in .png";
   expectRefused({"still", "tiny.toml", "-o", "clip.mp4"}, png);
-  expectRefused({"sheet", "tiny.toml", "-o", "clip.mp4"}, png);
+  expectRefused({"still", "tiny.toml", "-o", "clip.mp4", "--count", "2"}, png);
   expectRefused({"diff", "a.png", "b.png", "-o", "clip.mp4"}, png);
   expectRefused({"simulate", "tiny.toml", "--csv", "clip.mp4"},
                 "--csv clip.mp4: the name of the file must end in .csv");
@@ -74,7 +74,7 @@ TEST_F(LostInput, IsNoTexture) {
   const std::string texture = "a texture of the scene covered";
   for (const char* output : {"book.png", "link.png"}) {
     expectKept("book.png", texture, {"still", "covered.toml", "--time", "0", "-o", output});
-    expectKept("book.png", texture, {"sheet", "tiny.toml", "covered.toml", "-o", output});
+    expectKept("book.png", texture, {"still", "tiny.toml", "covered.toml", "-o", output});
   }
 }
 

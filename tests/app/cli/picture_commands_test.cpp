@@ -56,7 +56,7 @@ using SheetCommand = ProgramTest;
 
 TEST_F(SheetCommand, WritesAPictureOfTheSizeItReports) {
   const ChildResult result =
-      run({"sheet", "tiny.toml", "-o", "x.png", "--count", "3", "--columns", "2"});
+      run({"still", "tiny.toml", "-o", "x.png", "--count", "3", "--columns", "2"});
   EXPECT_EQ(result.status, 0) << result.error;
   const image::Image sheet = image::readPng(folder() / "x.png");
   EXPECT_EQ(result.output, "wrote x.png, " + std::to_string(sheet.width()) + "x" +
@@ -65,18 +65,18 @@ TEST_F(SheetCommand, WritesAPictureOfTheSizeItReports) {
 }
 
 TEST_F(SheetCommand, NamesThePictureAfterTheScene) {
-  const ChildResult one = run({"sheet", "tiny.toml", "--count", "1"});
+  const ChildResult one = run({"still", "tiny.toml", "--count", "1"});
   EXPECT_EQ(one.status, 0) << one.error;
   write("b.toml", kTiny);
-  EXPECT_EQ(run({"sheet", "tiny.toml", "b.toml", "--count", "1"}).status, 0);
+  EXPECT_EQ(run({"still", "tiny.toml", "b.toml", "--count", "1"}).status, 0);
   EXPECT_THAT(files(), ElementsAre("b.toml", "sheet.png", "tiny.sheet.png"));
-  EXPECT_THAT(run({"sheet", "tiny.toml", "--count", "1"}).error,
+  EXPECT_THAT(run({"still", "tiny.toml", "--count", "1"}).error,
               HasSubstr("note: replaced tiny.sheet.png\n"));
 }
 
 TEST_F(SheetCommand, RefusesMorePixelsThanFitIntoMemory) {
   const ChildResult result =
-      run({"sheet", "tiny.toml", "-o", "x.png", "--count", "300", "--size", "1280x720"});
+      run({"still", "tiny.toml", "-o", "x.png", "--count", "300", "--size", "1280x720"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.error, HasSubstr("; take fewer or smaller pictures, for example --size "));
   EXPECT_FALSE(has("x.png"));

@@ -38,7 +38,7 @@ TEST_F(PrintedNames, AreEscapedInReports) {
   expectSafe({"study", "tiny.toml", "--steps", "1,2", "--integrators", "rk4", "-o", kFolder});
   expectSafe({"page", "tiny.toml", "-o", kFolder, "--set", "clip.duration=0.1"});
   expectSafe({"still", "tiny.toml", "-o", picture});
-  expectSafe({"sheet", "tiny.toml", "--count", "1", "-o", picture});
+  expectSafe({"still", "tiny.toml", "--count", "1", "-o", picture});
   expectSafe({"diff", picture, picture, "-o", kFolder + "/d.png"});
   expectSafe({"assemble", kFolder + "/tiny", "-o", kFolder + "/a.mp4"});
   expectSafe({"verify", video});

@@ -42,7 +42,7 @@ TEST_F(Quiet, ReportsArentPrinted) {
   expectSilent({"check", "tiny.toml"});
   expectSilent({"simulate", "tiny.toml", "--csv", "x.csv"});
   expectSilent({"still", "tiny.toml", "-o", "tiny.png"});
-  expectSilent({"sheet", "tiny.toml", "--count", "1", "-o", "sheet.png"});
+  expectSilent({"still", "tiny.toml", "--count", "1", "-o", "sheet.png"});
   expectSilent({"diff", "tiny.png", "tiny.png"});
   expectSilent({"verify", "out/tiny.mp4"});
   expectSilent({"verify", "out/tiny.mp4", "--again", "again"});

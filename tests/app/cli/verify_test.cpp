@@ -164,7 +164,17 @@ TEST_F(VerifyCommand, ProvesNoCoarseClip) {
 
 TEST_F(VerifyCommand, NotesOtherToolsWithoutFailing) {
   render();
+  change("# Renderer: llvmpipe", "# Renderer: llvmPIPE");
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("\n  note    the renderer was llvmPIPE"));
+}
+
+TEST_F(VerifyCommand, RequiresNoWordsOfARecordOfAnotherVersion) {
+  render();
   change("# Renderer: ", "# Sendererx ");
+  EXPECT_THAT(run({"verify", "out/tiny.mp4"}).output, HasSubstr("\n  FAILED  record  "));
+  change("rotatebook 0.", "rotatebook 9.");
   const ChildResult result = run({"verify", "out/tiny.mp4"});
   EXPECT_EQ(result.status, 0) << result.output;
   EXPECT_THAT(result.output, HasSubstr("\n  note    the renderer was not recorded, here it is "));

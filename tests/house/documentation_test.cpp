@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "house/markdown.h"
 #include "cli/program_test.h"
+#include "house/markdown.h"
 
 namespace rotatebook::house {
 namespace {
@@ -326,8 +326,10 @@ TEST_F(WrongDocumentation, IsNoticed) {
   expectProblem("```sh\nrotatebok doctor\n```\n", "neither a command of rotatebook");
   expectProblem("    rotatebook doctor\n", "is in no block of sh");
   expectProblem("```toml\n[clip]\nsizes = [32, 18]\n```\n", "did you mean \"size\"?");
-  expectProblem("```sh\nrotatebook still my.toml --time 0 -o out/starter.poster.png\n```\n",
-                "changes out/starter.poster.png");
+  expectProblem(
+      "```sh\nrotatebook simulate scenes/starter.toml --csv out/starter.csv --set "
+      "body.mass=2\n```\n",
+      "changes out/starter.csv");
   expectProblem("```sh\nmake gallery PROGRAM='build/x/rotatebook no-such-command'\n```\n",
                 "no-such-command");
   EXPECT_THAT(problemsOf("```sh\nrotatebook check my.toml    # fine\n```\n"), IsEmpty());

@@ -1,4 +1,4 @@
-// docs/reliability.md: every promise is shown by tests that there are.
+// docs/tables/reliability.md: every promise is shown by tests that there are.
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -53,12 +53,13 @@ std::vector<std::string> evidenceOf(const std::string& row) {
 }
 
 bool exists(const std::string& evidence, const std::set<std::string>& tests) {
-  return evidence.starts_with("tests/") ? fs::exists(kRepository / evidence) : tests.contains(evidence);
+  return evidence.starts_with("tests/") ? fs::exists(kRepository / evidence)
+                                        : tests.contains(evidence);
 }
 
 /// The rows of the page's table, below its heading.
 std::vector<std::string> promises() {
-  std::istringstream page(system::readFileOrEmpty(kRepository / "docs" / "reliability.md"));
+  std::istringstream page(system::readFileOrEmpty(kRepository / "docs/tables/reliability.md"));
   std::vector<std::string> rows;
   for (std::string line; std::getline(page, line);) {
     if (line.starts_with("| ")) rows.push_back(line);

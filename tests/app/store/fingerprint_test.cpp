@@ -44,9 +44,9 @@ TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {
   }
 }
 
-/// Returns the words of docs/reliability.md for what frames.manifest holds about the frames.
+/// Returns the words of docs/tables/reliability.md for what frames.manifest holds about the frames.
 std::set<std::string> documentedEntries() {
-  std::ifstream file(fs::path(ROTATEBOOK_SOURCE) / "docs/reliability.md");
+  std::ifstream file(fs::path(ROTATEBOOK_SOURCE) / "docs/tables/reliability.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   const std::string beginning = "`frames.manifest`, what the frames were made with: ";
   const std::size_t begin = page.find(beginning) + beginning.size();

@@ -1,4 +1,4 @@
-// The table in docs/verify.md of what is noticed, and what isn't.
+// The table in docs/tables/forgeries.md of what is noticed, and what isn't.
 #include "verify/forgeries.h"
 
 #include <algorithm>
@@ -89,7 +89,7 @@ class ForgedClips {
 
 std::string documentation() {
   std::ostringstream text;
-  text << std::ifstream(fs::path(ROTATEBOOK_SOURCE) / "docs/verify.md").rdbuf();
+  text << std::ifstream(fs::path(ROTATEBOOK_SOURCE) / "docs/tables/forgeries.md").rdbuf();
   return text.str();
 }
 
@@ -139,7 +139,7 @@ TEST(Forgeries, AreNoticedAsTheDocumentationSays) {
     table += "\n";
     shares += forgery.name + "\n";
   }
-  EXPECT_NE(text.find(table), std::string::npos) << "docs/verify.md is to have\n"
+  EXPECT_NE(text.find(table), std::string::npos) << "docs/tables/forgeries.md is to have\n"
                                                  << table << "measured over bound:\n"
                                                  << shares;
 }

@@ -60,7 +60,7 @@ x = { key = "moments.smallest", from = 0, to = 1 }
 y = { key = "moments.middle", from = 0.5, to = 1 }
 measure = "growth"
 size = [8, 6]
-colours = { from = 0, to = 1 }
+colors = { from = 0, to = 1 }
 film = { x = [0, 0.5], duration = 0.1 }
 )";
 

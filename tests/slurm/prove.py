@@ -54,8 +54,7 @@ tilt = [0.01, "z"]
 [clip]
 duration = 5.0
 [study]
-over = "initial.tilt.0"
-values = [0.1, 0.01, 0.001]
+x = { key = "initial.tilt.0", values = [0.1, 0.01, 0.001] }
 measure = ["half_turns"]
 """
 WORKS = {"render": "clip", "map": "grid", "study": "sweep"}

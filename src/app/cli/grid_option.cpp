@@ -37,13 +37,16 @@ std::string wholeNumbers(std::int64_t first, std::int64_t last, const std::strin
   }
   std::string list;
   for (std::int64_t i = first; i <= last; ++i) list += (i > first ? ", " : "") + std::to_string(i);
-  return "[" + list + "]";
+  return "values = [" + list + "]";
 }
 
+/// Returns the keys of an axis that state its values.
 std::string valuesOf(const std::string& values, const std::string& option) {
   static const std::regex kRange(R"((-?[0-9]{1,9})\.\.(-?[0-9]{1,9}))");
   if (values.starts_with('[') || values.starts_with('{')) {
-    if (document::parseTomlValue(values, "")) return values;
+    if (document::parseTomlValue(values, "")) {
+      return values[0] == '[' ? "values = " + values : values.substr(1, values.size() - 2);
+    }
     fail(option, values +
                      " isn't TOML; write a list such as [1, 10] or a table such as "
                      "{ from = 1, to = 100, count = 5 }");
@@ -64,7 +67,7 @@ std::string valuesOf(const std::string& values, const std::string& option) {
     list += (begin > 0 ? ", " : "") + tomlOf(value, option);
     begin = end + 1;
   }
-  return "[" + list + "]";
+  return "values = [" + list + "]";
 }
 
 /// Returns the table of one axis from "KEY=VALUES".
@@ -77,7 +80,7 @@ std::string axisOf(const std::string& text, const std::string& option) {
          "\"initial.tilt=1e-2,1e-4 x simulation.substeps=1..8\"");
   }
   const std::string values(trimmed(std::string_view(text).substr(equals + 1)));
-  return "{ over = " + document::tomlString(key) + ", values = " + valuesOf(values, option) + " }";
+  return "{ key = " + document::tomlString(key) + ", " + valuesOf(values, option) + " }";
 }
 
 }  // namespace

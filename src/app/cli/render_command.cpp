@@ -115,7 +115,7 @@ A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single on
 named after it. -o clip.mp4 -o clip.gif makes both. -o DIR/ is a folder, also if its name has a dot.
 --grid shows up to 96 books, 12 a side, with other values of one key or two: the values of the first from
 the left to the right, those of the second from the top to the bottom. 1..8 are whole numbers; a range of
-others is as in scenes, { from = 0.001, to = 1.0, count = 8, spacing = "logarithmic" }.
+others is as in scenes, { from = 0.001, to = 1.0, count = 8, scale = "log" }.
 Other files stay as they are; those of the clip that were made with other settings are reported.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
 With --part there are only frames, which may be drawn on several machines at the same time; --resume

@@ -30,7 +30,7 @@ int wholePixels(double length) {
   return static_cast<int>(std::lround(length));
 }
 
-std::string valueText(const scene::SweepValue& value) {
+std::string valueText(const scene::AxisValue& value) {
   return value.number ? tickText(*value.number) : value.label;
 }
 
@@ -107,9 +107,9 @@ void GridMargins::layOut(const scene::Scene& scene, int bottomRows) {
   if (!rowValues.empty()) placeRows(std::move(rowValues), std::move(rowName), lengths);
 }
 
-std::vector<GridMargins::Text> GridMargins::valuesOf(const scene::GridAxis& axis, int width) const {
+std::vector<GridMargins::Text> GridMargins::valuesOf(const scene::Axis& axis, int width) const {
   std::vector<Text> values;
-  for (const scene::SweepValue& value : axis.values) {
+  for (const scene::AxisValue& value : axis.values) {
     values.push_back({type_.draw(valueText(value), valueStyle_, width)});
   }
   return values;
@@ -140,7 +140,7 @@ void GridMargins::place(Text& text, double x, double y) {
 }
 
 /// Centres the values over their columns, on one line at the bottom; the key's name is above them.
-void GridMargins::placeColumns(const scene::GridAxis& columns, std::vector<Text> values,
+void GridMargins::placeColumns(const scene::Axis& columns, std::vector<Text> values,
                                const Lengths& lengths) {
   const int bottom = lengths.top - lengths.gap / 2, tallest = largestOf(values, layerHeight);
   for (std::size_t i = 0; i < values.size(); ++i) {

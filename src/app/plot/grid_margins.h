@@ -35,11 +35,10 @@ class GridMargins {
     int margin = 0, gap = 0, left = 0, top = 0;
   };
 
-  std::vector<Text> valuesOf(const scene::GridAxis& axis, int width) const;
+  std::vector<Text> valuesOf(const scene::Axis& axis, int width) const;
   void layOut(const scene::Scene& scene, int bottomRows);
   void place(Text& text, double x, double y);
-  void placeColumns(const scene::GridAxis& columns, std::vector<Text> values,
-                    const Lengths& lengths);
+  void placeColumns(const scene::Axis& columns, std::vector<Text> values, const Lengths& lengths);
   void placeRows(std::vector<Text> values, std::vector<Text> name, const Lengths& lengths);
   std::vector<Text> linesOf(const std::string& name, int width) const;
 

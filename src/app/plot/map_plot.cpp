@@ -31,14 +31,14 @@ std::string neverText(const scene::MapSettings& map) {
 }
 
 std::string refusedText(const scene::MapSettings& map) {
-  const auto isMoment = [](const scene::MapAxis& axis) {
+  const auto isMoment = [](const scene::Axis& axis) {
     return axis.kind == scene::AxisKind::SmallestMoment ||
            axis.kind == scene::AxisKind::MiddleMoment;
   };
   return isMoment(map.x) || isMoment(map.y) ? "no such body" : "refused";
 }
 
-Axis axisOf(const scene::MapAxis& axis) {
+Axis axisOf(const scene::Axis& axis) {
   const bool isInDegrees =
       axis.kind == scene::AxisKind::SpinLongitude || axis.kind == scene::AxisKind::SpinLatitude;
   return {nameOf(axis), axis.from, axis.to, axis.scale, isInDegrees};

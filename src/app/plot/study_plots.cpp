@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 #include "plot/plot.h"
-#include "scene/grid_settings.h"
+#include "scene/axis.h"
 #include "scene/names.h"
 
 namespace rotatebook::plot {
@@ -115,15 +115,10 @@ std::set<int> slopesOf(const study::PrecisionStudy& study) {
 
 // --- Any key ---
 
-bool allNumbers(const scene::SweepKey& key) {
-  return std::ranges::all_of(key.values,
-                             [](const auto& value) { return value.number.has_value(); });
-}
-
 /// Returns the place of a value on the horizontal axis: the number, or its rank from 1.
-double placeOf(const std::string& label, const scene::SweepKey& key) {
-  const auto found = std::ranges::find(key.values, label, &scene::SweepValue::label);
-  return allNumbers(key) ? *found->number : static_cast<double>(found - key.values.begin() + 1);
+double placeOf(const std::string& label, const scene::Axis& key) {
+  const auto found = std::ranges::find(key.values, label, &scene::AxisValue::label);
+  return key.hasNumbers() ? *found->number : static_cast<double>(found - key.values.begin() + 1);
 }
 
 /// Returns a curve for each value of the second key, each followed by the points of runs that are
@@ -137,28 +132,28 @@ std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep&
       curve = &row.curve;
       Marker marker = markerOf(all.size() / 2);
       // Words have no order, so that no line joins their points.
-      if (!allNumbers(sweep.over)) marker.radius = kOpenRadius;
-      all.push_back({row.curve, marker, {}, allNumbers(sweep.over)});
+      if (!sweep.x.hasNumbers()) marker.radius = kOpenRadius;
+      all.push_back({row.curve, marker, {}, sweep.x.hasNumbers()});
       all.push_back({"", {marker.colour, 3, 0, true, kOpenRadius}, {}, false});
     }
     const double value = row.measured[measure];
     if (std::isnan(value)) continue;
     const bool isOpen = std::isinf(value);
-    all[all.size() - (isOpen ? 1 : 2)].points.emplace_back(placeOf(row.value, sweep.over),
+    all[all.size() - (isOpen ? 1 : 2)].points.emplace_back(placeOf(row.value, sweep.x),
                                                            isOpen ? row.length : value);
   }
   return all;
 }
 
 /// Returns the axis of the key that is varied; words are at their ranks.
-Axis axisOf(const scene::SweepKey& key) {
+Axis axisOf(const scene::Axis& key) {
   std::vector<double> places;
   Axis axis{scene::nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
-  for (const scene::SweepValue& value : key.values) {
+  for (const scene::AxisValue& value : key.values) {
     places.push_back(placeOf(value.label, key));
     axis.words.push_back({places.back(), value.label});
   }
-  return allNumbers(key) ? axisFor(axis.name, places, false) : axis;
+  return key.hasNumbers() ? axisFor(axis.name, places, false) : axis;
 }
 
 }  // namespace
@@ -216,7 +211,7 @@ Plot plotOf(const study::SweepStudy& result, const scene::StudySettings& study) 
     const std::vector<Series> series = seriesOf(result, sweep, i);
     const std::string name(rowOf(sweep.measures[i]).studied);
     plot.panels.push_back(
-        panelOf(axisOf(sweep.over), axisFor(name, valuesAlong(1, series), true), series));
+        panelOf(axisOf(sweep.x), axisFor(name, valuesAlong(1, series), true), series));
   }
   return plot;
 }
@@ -233,7 +228,7 @@ void writeStudyPlot(const StudyResult& result, const scene::Scene& scene,
 void requireStudyLetters(const scene::Scene& scene, const scene::StudySettings& study) {
   std::vector<std::string> texts{scene.title};
   if (study.sweep) {
-    for (const scene::SweepValue& value : study.sweep->over.values) texts.push_back(value.label);
+    for (const scene::AxisValue& value : study.sweep->x.values) texts.push_back(value.label);
     for (const scene::SweepRun& run : study.sweep->runs) texts.push_back(run.curve);
   }
   Drawing drawing(1, 1, {}, lettersOf(scene));

@@ -91,7 +91,7 @@ std::vector<Expected> expectedOf(const study::SweepStudy& result,
   std::vector<Expected> all;
   for (const study::ExpectedOfRun& one : study::expectedOf(result, *study.sweep)) {
     all.push_back({one.subject(), "", std::string(rowOf(one.expectation.measure).meaning),
-                   one.expectation.bounds, one.measured});
+                   one.expectation.bounds(), one.measured});
   }
   return all;
 }

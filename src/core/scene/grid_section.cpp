@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "base/nearest_name.h"
 #include "document/problems.h"
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
 #include "scene/varied_motion.h"
@@ -17,50 +17,26 @@ namespace {
 
 using document::TomlNode;
 
-constexpr std::string_view kTilt = "initial.tilt";
-
 /// An axis as it is read; an axis that is missing has one value, which changes nothing.
 struct ReadGridAxis {
   std::optional<ValueReader> table{};
   std::optional<VariedKey> varied{};
-  std::string path{};  ///< The key, "initial.tilt.0" for a tilt's angle.
 
   std::size_t count() const { return varied ? varied->values.size() : 1; }
 };
 
-bool isAngle(const TomlNode& node) {
-  return !std::holds_alternative<TomlNode::Array>(node.value);
-}
-
-/// Takes "initial.tilt" with an angle as the angle of the scene's tilt, whose axis stays.
-std::string pathOf(const VariedKey& varied, const ValueReader& file) {
-  const std::string key = varied.key.text(kLongestPath);
-  const bool isOfTilt = key == kTilt || key.starts_with(std::string(kTilt) + ".");
-  const auto tilt = file.find("initial", "tilt");
-  const bool isWhole =
-      key == kTilt && !std::ranges::all_of(varied.values, isAngle, &StatedValue::node);
-  if (!isOfTilt || isWhole) return key;
-  if (!tilt) {
-    varied.key.fail(key + " is a part of initial.tilt, which the scene doesn't state; state it, " +
-                    "such as initial.tilt = [0.01, \"z\"]");
-  }
-  return key == kTilt ? key + ".0" : key;
-}
-
 ReadGridAxis readAxis(const ValueReader& section, const char* name, const ValueReader& file) {
   const auto table = section.find(name);
   if (!table) return {};
-  ReadGridAxis read{table, variedKeyFrom(*table), {}};
-  read.path = pathOf(*read.varied, file);
-  if (read.path == "simulation.time_per_frame") {
+  const ReadGridAxis read{table, variedKeyFrom(*table, file)};
+  if (read.varied->path == "simulation.time_per_frame") {
     read.varied->key.fail(
         "the books of a grid have no time_per_frame of their own, because all share one clock; "
         "vary simulation.step, the length of a step");
   }
   if (read.count() <= kMaxGridSide) return read;
-  table->find("values")->fail(table->name() + " has " + std::to_string(read.count()) +
-                              " values; a side of a grid has up to " +
-                              std::to_string(kMaxGridSide));
+  table->fail(table->name() + " has " + std::to_string(read.count()) +
+              " values; a side of a grid has up to " + std::to_string(kMaxGridSide));
 }
 
 void refuseSize(const ValueReader& section, std::size_t columns, std::size_t rows) {
@@ -91,18 +67,18 @@ void refuseOtherSections(const ValueReader& file) {
 }
 
 void putAt(TomlNode& sections, const ReadGridAxis& axis, std::size_t index) {
-  if (axis.varied) put(sections, axis.path, *axis.varied, axis.varied->values[index]);
+  if (axis.varied) put(sections, *axis.varied, axis.varied->values[index]);
 }
 
 /// Returns "substeps 10", a value with the last word of its key; empty without an axis.
-std::string labelAt(const std::optional<GridAxis>& axis, std::size_t index) {
+std::string labelAt(const std::optional<Axis>& axis, std::size_t index) {
   if (!axis) return "";
   std::string_view key = axis->key;
-  if (key.starts_with(kTilt)) key = "tilt";
+  if (key.starts_with("initial.tilt")) key = "tilt";
   return std::string(key.substr(key.rfind('.') + 1)) + " " + axis->values[index].label;
 }
 
-bool isAt(const std::optional<std::string>& wanted, const std::optional<GridAxis>& axis,
+bool isAt(const std::optional<std::string>& wanted, const std::optional<Axis>& axis,
           std::size_t index) {
   return !wanted || (axis && axis->values[index].label == *wanted);
 }
@@ -110,11 +86,12 @@ bool isAt(const std::optional<std::string>& wanted, const std::optional<GridAxis
 /// Returns what the scene expects of all motions, and [grid] of this cell.
 std::vector<Expectation> expectedAt(const Scene& scene, std::size_t column, std::size_t row) {
   std::vector<Expectation> all = scene.expectations;
-  for (const GridExpectation& one : scene.grid->expected) {
-    if (!isAt(one.column, scene.grid->columns, column) || !isAt(one.row, scene.grid->rows, row)) {
+  for (Expectation one : scene.grid->expected) {
+    if (!isAt(one.at[0], scene.grid->columns, column) || !isAt(one.at[1], scene.grid->rows, row)) {
       continue;
     }
-    all.insert(all.end(), one.expectations.begin(), one.expectations.end());
+    one.at = {};
+    all.push_back(std::move(one));
   }
   return all;
 }
@@ -128,7 +105,7 @@ void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const Val
   for (std::size_t i = 0; i < outer.count(); ++i) {
     TomlNode sections = motionPart(file);
     problems.note([&] { putAt(sections, outer, i); });
-    const VariedMotions motions(sections, scene.simulation, *inner.varied, inner.path);
+    const VariedMotions motions(sections, scene.simulation, *inner.varied);
     for (std::size_t j = 0; j < inner.count(); ++j) {
       const std::size_t column = hasColumns ? j : i, row = hasColumns ? i : j;
       problems.note([&] {
@@ -146,27 +123,7 @@ void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const Val
 /// Throws InputError if a key changes nothing in any of the motions.
 void refuseUnusedKey(const ReadGridAxis& axis, const Scene& scene) {
   if (!axis.varied) return;
-  refuseUnused(axis.varied->key, axis.path, modelsOf(scene.panels), "books");
-}
-
-void requireCell(const ValueReader& table, const char* side, const std::optional<GridAxis>& axis) {
-  const auto value = table.find(side);
-  if (!value) return;
-  if (!axis) value->fail(value->name() + " needs grid." + side + "s");
-  const std::string label = labelOf(*value);
-  std::vector<std::string_view> labels;
-  for (const SweepValue& one : axis->values) labels.push_back(one.label);
-  if (std::ranges::count(labels, label) > 0) return;
-  value->fail(value->name() + " = " + label + " is no value of grid." + side + "s" +
-              didYouMean(label, labels));
-}
-
-void checkCells(const ValueReader& section, const GridSettings& grid) {
-  if (grid.expected.empty()) return;
-  for (const ValueReader& table : section.find("expect")->tables("")) {
-    requireCell(table, "column", grid.columns);
-    requireCell(table, "row", grid.rows);
-  }
+  refuseUnused(axis.varied->key, axis.varied->path, modelsOf(scene.panels), "books");
 }
 
 void refuseManySamples(const ValueReader& section, const Scene& scene) {
@@ -184,16 +141,17 @@ void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene)
   readKeys(section, gridKeys(), scene.grid.emplace());
   if (!section.find("columns") && !section.find("rows")) {
     section.fail(
-        "[grid] needs columns or rows, such as columns = { over = "
+        "[grid] needs columns or rows, such as columns = { key = "
         "\"simulation.substeps\", values = [1, 10, 100] }");
   }
   const ReadGridAxis columns = readAxis(section, "columns", file);
   const ReadGridAxis rows = readAxis(section, "rows", file);
   refuseSize(section, columns.count(), rows.count());
-  if (columns.path == rows.path) {
-    rows.varied->key.fail(rows.varied->key.name() + " is grid.columns.over, too; name another key");
+  if (columns.varied && rows.varied && columns.varied->path == rows.varied->path) {
+    rows.varied->key.fail(rows.varied->key.name() + " is grid.columns.key, too; name another key");
   }
-  checkCells(section, *scene.grid);
+  const auto axisIn = [](const std::optional<Axis>& axis) { return axis ? &*axis : nullptr; };
+  kGridExpectations.check(section, {axisIn(scene.grid->columns), axisIn(scene.grid->rows)});
   makePanels(columns, rows, file, scene);
   refuseUnusedKey(columns, scene);
   refuseUnusedKey(rows, scene);

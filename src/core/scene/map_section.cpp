@@ -18,7 +18,7 @@ using physics::Model;
 /// An axis and its reader.
 struct ReadAxis {
   ValueReader table;
-  const MapAxis& axis;
+  const Axis& axis;
 
   ValueReader key() const { return *table.find("key"); }
   ValueReader end(const char* name) const { return *table.find(name); }
@@ -190,12 +190,12 @@ void checkFilm(const ValueReader& section, const MapSettings& map) {
   if (!map.film) return;
   const ValueReader film = *section.find("film");
   if (!map.colours.from || !map.colours.to) {
-    film.fail("map.film needs map.colours with from and to, so that a value keeps its colour");
+    film.fail("map.film needs map.colors with from and to, so that a value keeps its colour");
   }
   if (map.film->x.empty() && map.film->y.empty()) {
     film.fail("map.film needs x or y, the part of an axis that it zooms into");
   }
-  const auto check = [&](const char* name, const MapAxis& axis, const std::vector<double>& ends) {
+  const auto check = [&](const char* name, const Axis& axis, const std::vector<double>& ends) {
     if (ends.empty() || (axis.holds(ends[0]) && axis.holds(ends[1]) && ends[0] < ends[1])) return;
     film.find(name)->fail("map.film." + std::string(name) + " is from " + tomlNumber(ends[0]) +
                           " to " + tomlNumber(ends[1]) + "; it must ascend within the axis, from " +
@@ -208,7 +208,7 @@ void checkFilm(const ValueReader& section, const MapSettings& map) {
 void refuseTilt(const ValueReader& section, const MapSettings& map,
                 const std::vector<Panel>& motions) {
   for (const char* name : {"x", "y"}) {
-    const MapAxis& axis = *name == 'x' ? map.x : map.y;
+    const Axis& axis = *name == 'x' ? map.x : map.y;
     const bool isDirection =
         axis.kind == AxisKind::SpinLongitude || axis.kind == AxisKind::SpinLatitude;
     const bool isTilted = std::ranges::any_of(

@@ -1,15 +1,12 @@
 #include "scene/map_settings.h"
 
-#include <array>
-
 #include "base/elementary.h"
-#include "scene/grid_settings.h"
 
 namespace rotatebook::scene {
 namespace {
 
 /// Narrows an axis to what is seen of it at a part of the zoom, 0 to 1, to `ends`.
-void zoom(MapAxis& axis, const std::vector<double>& ends, double part) {
+void zoom(Axis& axis, const std::vector<double>& ends, double part) {
   if (ends.empty()) return;
   const double from = shareOf(ends[0], axis.from, axis.to, axis.scale);
   const double width = shareOf(ends[1], axis.from, axis.to, axis.scale) - from;
@@ -17,16 +14,12 @@ void zoom(MapAxis& axis, const std::vector<double>& ends, double part) {
   // Each moment the width shrinks by the same ratio, about the point that stays where it is.
   const double widthNow = exponential(part * logarithm(width));
   const double fromNow = from / (1 - width) * (1 - widthNow);
-  const MapAxis whole = axis;
+  const Axis whole = axis;
   axis.from = numberWithin(whole.from, whole.to, fromNow, whole.scale);
   axis.to = numberWithin(whole.from, whole.to, fromNow + widthNow, whole.scale);
 }
 
 }  // namespace
-
-std::string nameOf(const MapAxis& axis) {
-  return axis.label.empty() ? keyWithUnit(axis.key) : axis.label;
-}
 
 MapSettings mapOfFilm(const MapSettings& map, double share) {
   MapSettings now = map;

@@ -6,9 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/axis.h"
 #include "scene/expectation.h"
-#include "scene/scale.h"
-#include "scene/study_settings.h"
 
 namespace rotatebook::scene {
 
@@ -17,36 +16,6 @@ enum class MapMoment {
   End,      ///< Their end.
   Largest,  ///< Of all samples the largest, as studies measure it.
 };
-
-/// The special keys of an axis; all others are keys of a motion.
-enum class AxisKind {
-  MotionKey,
-  Time,            ///< "time": one motion serves a whole line of pixels. [s]
-  SpinLongitude,   ///< "spin.longitude": direction of the first spin, from x toward y. [degrees]
-  SpinLatitude,    ///< "spin.latitude": likewise, from the plane of x and y toward z. [degrees]
-  SmallestMoment,  ///< "moments.smallest": smallest / largest moment of inertia.
-  MiddleMoment,    ///< "moments.middle": middle / largest moment of inertia.
-};
-
-/// An axis of a map. A pixel's value lies in its middle.
-struct MapAxis {
-  std::string key;
-  AxisKind kind = AxisKind::MotionKey;
-  double from = 0;  ///< At the left, or at the bottom.
-  double to = 1;    ///< > from
-  Scale scale = Scale::Linear;
-  std::string label{};  ///< Beside the axis; empty for the key.
-
-  /// Returns the value in the middle of pixel `i` of `count`.
-  double at(int i, int count) const {
-    return numberWithin(from, to, (static_cast<double>(i) + 0.5) / count, scale);
-  }
-  bool holds(double value) const { return value >= from && value <= to; }
-  friend bool operator==(const MapAxis&, const MapAxis&) = default;
-};
-
-/// Returns the name beside an axis: its label, or its key with the unit.
-std::string nameOf(const MapAxis& axis);
 
 /// A point that is marked on a map.
 struct MapMark {
@@ -105,7 +74,7 @@ struct MapExpectation {
 
 /// A map: one run of the scene's motion for each pixel; of each panel, side by side.
 struct MapSettings {
-  MapAxis x, y;
+  Axis x, y;
   Measure measure = Measure::HalfTurns;
   MapMoment moment = MapMoment::End;
   int width = 960, height = 540;  ///< Runs across and up.
@@ -120,7 +89,7 @@ struct MapSettings {
 
   std::int64_t runs() const { return static_cast<std::int64_t>(width) * height; }
   /// Returns the axis along which time goes; null if none does.
-  const MapAxis* timeAxis() const {
+  const Axis* timeAxis() const {
     return x.kind == AxisKind::Time ? &x : y.kind == AxisKind::Time ? &y : nullptr;
   }
   friend bool operator==(const MapSettings&, const MapSettings&) = default;

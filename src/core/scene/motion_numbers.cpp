@@ -130,7 +130,9 @@ MotionNumber::MotionNumber(const MotionSettings& base, const std::string& key, d
                            const std::string& location) {
   const KeyRow* row = findKey(key);
   isWhole_ = row != nullptr && row->form.isWhole();
-  set_ = [read = readerOf(base, key, location), location, isWhole = isWhole_](
+  // As grids and studies take it: the angle, whose axis stays
+  const std::string path = key == "initial.tilt" ? key + ".0" : key;
+  set_ = [read = readerOf(base, path, location), location, isWhole = isWhole_](
              MotionSettings& motion, double number) {
     read(motion, numberNode(number, isWhole, location));
   };

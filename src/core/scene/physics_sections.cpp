@@ -8,6 +8,7 @@
 #include "base/nearest_name.h"
 #include "document/problems.h"
 #include "scene/body_section.h"
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"

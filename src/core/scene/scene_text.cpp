@@ -50,7 +50,7 @@ std::string studyRunsText(const Scene& scene) {
 }
 
 std::string mapRunsText(Scene scene) {
-  for (MapAxis* axis : {&scene.map->x, &scene.map->y}) axis->label.clear();
+  for (Axis* axis : {&scene.map->x, &scene.map->y}) axis->label.clear();
   return motionText(scene) + mapText(scene, Printed::OfMotion);
 }
 

@@ -74,7 +74,7 @@ std::string gridText(const Scene& scene, Printed printed);
 /// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
 /// for the scene's model. Throws InputError.
 void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
-/// Reads a sweep likewise, into `scene.study`; `section` has `over`. Throws InputError.
+/// Reads a sweep likewise, into `scene.study`; `section` has `x`. Throws InputError.
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Scene& scene);

@@ -9,6 +9,8 @@
 namespace rotatebook::scene {
 namespace {
 
+using document::ValueReader;
+
 /// Returns the principal axis, 0 to 2, about which a spin is stated by the rank of its moment.
 int axisOf(const physics::SpinAbout& about, const Eigen::Vector3d& moments) {
   std::array<int, 3> order{0, 1, 2};

@@ -108,7 +108,7 @@ void checkSteps(const ValueReader& file, const Scene& scene) {
   const auto study = file.find("study");
   if (!study) return;
   const bool isOfTilts = scene.study->isOfTilts();
-  const auto list = study->find(scene.study->sweep ? "values" : isOfTilts ? "tilts" : "steps");
+  const auto list = study->find(scene.study->sweep ? "x" : isOfTilts ? "tilts" : "steps");
   refuseMany(stepsOf(*scene.study, scene), "the study takes", list.value_or(*study),
              "make fewer runs, or shorter ones");
 }

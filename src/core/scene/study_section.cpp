@@ -60,9 +60,9 @@ void checkSamples(const ValueReader& section, const Scene& scene,
              std::to_string(kMaxFrames) + ": lower study.duration, or raise study.interval");
 }
 
-void refuseWithoutOver(const ValueReader& section) {
+void refuseWithoutX(const ValueReader& section) {
   for (const Key<Scene>& key : sweepKeys()) {
-    if (const auto value = section.find(key.name)) value->fail(value->name() + " needs study.over");
+    if (const auto value = section.find(key.name)) value->fail(value->name() + " needs study.x");
   }
 }
 
@@ -89,12 +89,12 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
   auto fields = fieldsOf(keys, ignore);
   std::ranges::move(fieldsOf(sweepKeys(), ignore), std::back_inserter(fields));
   section.readTable(fields);
-  if (section.find("over")) {
+  if (section.find("x")) {
     readSweep(section, file, scene);
     for (const SweepRun& run : scene.study->sweep->runs) checkSamples(section, scene, run.motion);
     return;
   }
-  refuseWithoutOver(section);
+  refuseWithoutX(section);
   const auto tilts = section.find("tilts");
   if (tilts) {
     refuseTiltsWithSteps(section);
@@ -118,7 +118,7 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
 std::string studyText(const Scene& scene) {
   if (!scene.study) return "";
   return "\n[study]\n" + linesOf(studyKeys(), scene) + ordersText(*scene.study) +
-         linesOf(sweepKeys(), scene) + linesOf(samplingKeys(), scene);
+         (scene.study->sweep ? linesOf(sweepKeys(), scene) : "") + linesOf(samplingKeys(), scene);
 }
 
 }  // namespace rotatebook::scene

@@ -6,21 +6,10 @@
 #include <vector>
 
 #include "physics/motion_settings.h"
+#include "scene/axis.h"
 #include "scene/expectation.h"
 
 namespace rotatebook::scene {
-
-/// Bounds on one number; those that are present must hold.
-struct Bounds {
-  std::optional<double> min{};
-  std::optional<double> max{};
-
-  /// Returns whether `value` is within the bounds; NaN never is.
-  bool hold(double value) const {
-    return value == value && (!min || value >= *min) && (!max || value <= *max);
-  }
-  friend bool operator==(const Bounds&, const Bounds&) = default;
-};
 
 /// Bounds on the order that an integrator must show.
 struct ExpectedOrder {
@@ -28,33 +17,6 @@ struct ExpectedOrder {
   Bounds bounds;
 
   friend bool operator==(const ExpectedOrder&, const ExpectedOrder&) = default;
-};
-
-/// A value that a sweep gives to a key.
-struct SweepValue {
-  std::string toml;                ///< As a scene states it, with its label if that is stated.
-  std::string label;               ///< The number or the word, or what is stated.
-  std::optional<double> number{};  ///< The value, if it is a number without a label.
-
-  friend bool operator==(const SweepValue&, const SweepValue&) = default;
-};
-
-/// A key of a motion, "section.key", and the values that it gets.
-struct SweepKey {
-  std::string key;
-  std::vector<SweepValue> values;  ///< At least one, each with another label.
-
-  friend bool operator==(const SweepKey&, const SweepKey&) = default;
-};
-
-/// Bounds on a measured quantity of some of a sweep's runs.
-struct SweepExpectation {
-  Measure measure = Measure::HalfTurns;  ///< One of Sweep::measures.
-  std::optional<std::string> at{};       ///< The label of a value; without it, all.
-  std::optional<std::string> curve{};    ///< The label of a curve; without it, all.
-  Bounds bounds{};
-
-  friend bool operator==(const SweepExpectation&, const SweepExpectation&) = default;
 };
 
 /// A run of a sweep.
@@ -68,10 +30,11 @@ struct SweepRun {
 
 /// Runs of the scene's motion with other values of one key, or of two.
 struct Sweep {
-  SweepKey over;
-  std::optional<SweepKey> curves{};  ///< A second key: one curve for each of its values.
-  std::vector<Measure> measures{};   ///< At least one, each once.
-  std::vector<SweepExpectation> expected{};
+  Axis x;
+  std::optional<Axis> curves{};     ///< One curve for each of its values.
+  std::vector<Measure> measures{};  ///< At least one, each once.
+  /// Each of one of `measures`, without a window: on the runs with an x, on a curve, or all.
+  std::vector<Expectation> expected{};
   std::vector<SweepRun> runs{};  ///< Curve by curve, each in the order of the values.
 
   friend bool operator==(const Sweep&, const Sweep&) = default;

@@ -1,12 +1,12 @@
-// Reads a sweep, a study over any key: its keys, and the motion of each run.
+// Reads a sweep, a study of any key: its keys, and the motion of each run.
 #include <algorithm>
 #include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "base/nearest_name.h"
 #include "document/problems.h"
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
@@ -17,12 +17,11 @@ namespace {
 
 using document::TomlNode;
 
-void addCurve(const TomlNode& sections, const VariedKey& over, const std::string& curve,
+void addCurve(const TomlNode& sections, const VariedKey& x, const std::string& curve,
               Scene& scene) {
-  const std::string path = over.key.text(kLongestPath);
-  const VariedMotions motions(sections, scene.simulation, over, path);
+  const VariedMotions motions(sections, scene.simulation, x);
   document::Problems problems;
-  for (const StatedValue& value : over.values) {
+  for (const StatedValue& value : x.values) {
     problems.note([&] {
       physics::MotionSettings motion = motions.with(value);
       sampleAsAsked(*scene.study, motion);
@@ -34,7 +33,7 @@ void addCurve(const TomlNode& sections, const VariedKey& over, const std::string
 
 void refuseManyRuns(const ValueReader& section, const Sweep& sweep) {
   const std::size_t curves = sweep.curves ? sweep.curves->values.size() : 1;
-  const std::size_t runs = sweep.over.values.size() * curves;
+  const std::size_t runs = sweep.x.values.size() * curves;
   if (runs <= kMaxRuns) return;
   section.fail("[study] has " + std::to_string(runs) + " runs; the limit is " +
                std::to_string(kMaxRuns));
@@ -42,20 +41,20 @@ void refuseManyRuns(const ValueReader& section, const Sweep& sweep) {
 
 void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseManyRuns(section, *scene.study->sweep);
-  const VariedKey over = variedKeyFrom(section);
+  const VariedKey x = variedKeyFrom(*section.find("x"), file);
   const TomlNode sections = motionPart(file);
   const auto curves = section.find("curves");
-  if (!curves) return addCurve(sections, over, "", scene);
-  const VariedKey second = variedKeyFrom(*curves);
-  if (second.key.text(kLongestPath) == over.key.text(kLongestPath)) {
-    second.key.fail(second.key.name() + " is study.over, too; name another key");
+  if (!curves) return addCurve(sections, x, "", scene);
+  const VariedKey second = variedKeyFrom(*curves, file);
+  if (second.path == x.path) {
+    second.key.fail(second.key.name() + " is study.x.key, too; name another key");
   }
   document::Problems problems;
   for (const StatedValue& value : second.values) {
     problems.note([&] {
       TomlNode varied = sections;
-      put(varied, second.key.text(kLongestPath), second, value);
-      addCurve(varied, over, value.value.label, scene);
+      put(varied, second, value);
+      addCurve(varied, x, value.value.label, scene);
     });
   }
   problems.throwIfAny();
@@ -65,9 +64,8 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
 void refuseUnusedKeys(const ValueReader& section, const Sweep& sweep) {
   std::vector<physics::Model> models;
   for (const SweepRun& run : sweep.runs) models.push_back(run.motion.simulation.model);
-  refuseUnused(*section.find("over"), sweep.over.key, models, "runs");
-  if (sweep.curves)
-    refuseUnused(*section.find("curves", "over"), sweep.curves->key, models, "runs");
+  refuseUnused(*section.find("x", "key"), sweep.x.key, models, "runs");
+  if (sweep.curves) refuseUnused(*section.find("curves", "key"), sweep.curves->key, models, "runs");
 }
 
 /// Throws InputError if a study with an interval of its own varies the one that it replaces.
@@ -75,35 +73,19 @@ void refuseIntervals(const ValueReader& section, const Sweep& sweep) {
   constexpr std::string_view kInterval = "simulation.time_per_frame";
   const auto interval = section.find("interval");
   if (!interval) return;
-  if (sweep.over.key != kInterval && !(sweep.curves && sweep.curves->key == kInterval)) return;
+  if (sweep.x.key != kInterval && !(sweep.curves && sweep.curves->key == kInterval)) return;
   interval->fail(
       "study.interval replaces simulation.time_per_frame, which the study varies; "
       "remove one of them");
 }
 
-void requireLabel(const ValueReader& value, const std::string& label,
-                  const std::vector<SweepValue>& values) {
-  std::vector<std::string_view> labels;
-  for (const SweepValue& one : values) labels.push_back(one.label);
-  if (std::ranges::count(labels, label) > 0) return;
-  const bool isWord = std::holds_alternative<std::string>(value.node().value);
-  value.fail(value.name() + " = " + label + " is no value of the study" +
-             (isWord ? didYouMean(label, labels) : ""));
-}
-
-/// Throws InputError if something is expected that isn't measured, or of runs that aren't made.
-void checkExpected(const ValueReader& tables, const Sweep& sweep) {
-  std::size_t i = 0;
-  for (const ValueReader& table : tables.tables("")) {
-    const SweepExpectation& one = sweep.expected[i++];
-    if (std::ranges::count(sweep.measures, one.measure) == 0) {
-      table.find("measure")->fail(std::string(nameOf(one.measure)) + " isn't in study.measure");
-    }
-    if (one.at) requireLabel(*table.find("at"), *one.at, sweep.over.values);
-    if (!one.curve) continue;
-    const ValueReader curve = *table.find("curve");
-    if (!sweep.curves) curve.fail(curve.name() + " needs study.curves");
-    requireLabel(curve, *one.curve, sweep.curves->values);
+/// Throws InputError if something is expected that isn't measured.
+void refuseUnmeasured(const ValueReader& section, const Sweep& sweep) {
+  for (std::size_t i = 0; i < sweep.expected.size(); ++i) {
+    const Measure measure = sweep.expected[i].measure;
+    if (std::ranges::count(sweep.measures, measure) > 0) continue;
+    section.find("expect")->tables("")[i].find("of")->fail(std::string(nameOf(measure)) +
+                                                           " isn't in study.measure");
   }
 }
 
@@ -111,7 +93,7 @@ void refuseOthers(const ValueReader& section) {
   for (const Key<Scene>& key : studyKeys()) {
     const auto value = section.find(key.name);
     if (!value) continue;
-    value->fail("[study] has both over and " + std::string(key.name) +
+    value->fail("[study] has both x and " + std::string(key.name) +
                 "; it varies either that key, or integrators and steps, or tilts");
   }
 }
@@ -124,13 +106,12 @@ void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene
   Keys<Scene> keys = samplingKeys();
   std::ranges::copy(sweepKeys(), std::back_inserter(keys));
   readKeys(section, keys, scene);
-  for (const char* key : {"values", "measure"}) {
-    if (!section.find(key)) section.fail("[study] has over, so it needs " + std::string(key));
-  }
+  if (!section.find("measure")) section.fail("[study] has x, so it needs measure");
   refuseIntervals(section, sweep);
   makeRuns(section, file, scene);
   refuseUnusedKeys(section, sweep);
-  if (!sweep.expected.empty()) checkExpected(*section.find("expect"), sweep);
+  refuseUnmeasured(section, sweep);
+  kStudyExpectations.check(section, {&sweep.x, sweep.curves ? &*sweep.curves : nullptr});
 }
 
 }  // namespace rotatebook::scene

@@ -38,12 +38,30 @@ void requireMotionKey(const ValueReader& key) {
            (isSection ? "" : didYouMean(first, names)));
 }
 
+bool isAngle(const StatedValue& value) {
+  return !std::holds_alternative<TomlNode::Array>(value.node.value);
+}
+
+/// Takes "initial.tilt" with angles as the angle of the scene's tilt, whose axis stays.
+std::string pathOf(const VariedKey& varied, const ValueReader& file) {
+  constexpr std::string_view kTilt = "initial.tilt";
+  const std::string key = varied.key.text(kLongestPath);
+  const bool isWhole = key == kTilt && !std::ranges::all_of(varied.values, isAngle);
+  if (isWhole || (key != kTilt && !key.starts_with(std::string(kTilt) + "."))) return key;
+  if (!file.find("initial", "tilt")) {
+    varied.key.fail(key + " is a part of initial.tilt, which the scene doesn't state; state it, " +
+                    "such as initial.tilt = [0.01, \"z\"]");
+  }
+  return key == kTilt ? key + ".0" : key;
+}
+
 }  // namespace
 
-VariedKey variedKeyFrom(const ValueReader& table) {
-  const ValueReader key = *table.find("over");
-  requireMotionKey(key);
-  return {key, statedValues(*table.find("values"))};
+VariedKey variedKeyFrom(const ValueReader& axis, const ValueReader& file) {
+  VariedKey varied{*axis.find("key"), "", statedValues(axis)};
+  requireMotionKey(varied.key);
+  varied.path = pathOf(varied, file);
+  return varied;
 }
 
 std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions) {
@@ -67,15 +85,14 @@ TomlNode motionPart(const ValueReader& file) {
   return {std::move(sections), file.node().location};
 }
 
-void put(TomlNode& sections, const std::string& path, const VariedKey& key,
-         const StatedValue& value) {
-  putValue(sections, path, value.node, key.key.node().location, kMotionAlternatives);
+void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
+  putValue(sections, key.path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
 VariedMotions::VariedMotions(const TomlNode& sections, const physics::SimulationSettings& clock,
-                             const VariedKey& key, const std::string& path)
-    : sections_(sections), clock_(clock), key_(key), path_(path) {
-  if (!path.starts_with("initial.") || findKey(path) == nullptr) return;
+                             const VariedKey& key)
+    : sections_(sections), clock_(clock), key_(key) {
+  if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
   // Without a motion of its own, whatever is wrong is found with the first value
   try {
     base_ = motionFrom(sections, clock);
@@ -87,15 +104,15 @@ VariedMotions::VariedMotions(const TomlNode& sections, const physics::Simulation
 }
 
 Motion VariedMotions::with(const StatedValue& value) const {
-  const ValueReader reader(value.node, path_);
+  const ValueReader reader(value.node, key_.path);
   if (base_ && !std::holds_alternative<TomlNode::Table>(value.node.value)) {
     Motion motion = *base_;
-    readerOf(motion, path_, key_.key.node().location)(motion, value.node);
+    readerOf(motion, key_.path, key_.key.node().location)(motion, value.node);
     failAtValue(reader, [&] { motion.initial.tilted(); });
     return motion;
   }
   TomlNode varied = sections_;
-  put(varied, path_, key_, value);
+  put(varied, key_, value);
   return motionFrom(varied, clock_);
 }
 

@@ -8,7 +8,7 @@
 
 #include "document/toml_tree.h"
 #include "document/value_reader.h"
-#include "scene/keys/sweep_values.h"
+#include "scene/keys/axis_keys.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
@@ -16,12 +16,13 @@ namespace rotatebook::scene {
 /// A key, the reader of its name, and its values.
 struct VariedKey {
   document::ValueReader key;
+  std::string path;  ///< The key, "initial.tilt.0" where the values are angles of a tilt.
   std::vector<StatedValue> values;
 };
 
-/// Reads `over` and `values` of a table, which has both. Throws InputError if `over` is no key of a
-/// motion's sections; whether there is such a key shows when a value is read.
-VariedKey variedKeyFrom(const document::ValueReader& table);
+/// Reads an axis of values of `file`. Throws InputError if its key is none of a motion's sections;
+/// whether there is such a key shows when a value is read.
+VariedKey variedKeyFrom(const document::ValueReader& axis, const document::ValueReader& file);
 
 /// Returns the models of motions.
 std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions);
@@ -33,10 +34,9 @@ void refuseUnused(const document::ValueReader& place, const std::string& key,
 /// Returns the sections that settle a motion, as far as `file` has them.
 document::TomlNode motionPart(const document::ValueReader& file);
 
-/// Puts a value of `key` at `path`, such as its own text, in `sections`, from motionPart(). Throws
-/// InputError if the path leads nowhere.
-void put(document::TomlNode& sections, const std::string& path, const VariedKey& key,
-         const StatedValue& value);
+/// Puts a value of `key` into `sections`, from motionPart(). Throws InputError if its path leads
+/// nowhere.
+void put(document::TomlNode& sections, const VariedKey& key, const StatedValue& value);
 
 /// Reads a value of a key of [body], [simulation], [initial] or [[nudge]] into a motion. Throws
 /// InputError.
@@ -49,10 +49,9 @@ ReadMotionKey readerOf(const physics::MotionSettings& base, const std::string& k
 /// Motions that differ in the values of one key.
 class VariedMotions {
  public:
-  /// Takes what motionFrom() takes, without the key's values, and the key's path, as put() does;
-  /// they must outlive this.
+  /// Takes what motionFrom() takes, without the key's values, and the key; they must outlive this.
   VariedMotions(const document::TomlNode& sections, const physics::SimulationSettings& clock,
-                const VariedKey& key, const std::string& path);
+                const VariedKey& key);
 
   /// Returns the motion with that value of the key. Throws InputError.
   Motion with(const StatedValue& value) const;
@@ -61,7 +60,6 @@ class VariedMotions {
   const document::TomlNode& sections_;
   const physics::SimulationSettings& clock_;
   const VariedKey& key_;
-  const std::string& path_;
   /// The motion without the values, where nothing but its start follows from them: its body, and
   /// what holds its particles together, is settled once.
   std::optional<Motion> base_{};

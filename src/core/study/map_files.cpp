@@ -12,7 +12,7 @@
 namespace rotatebook::study {
 namespace {
 
-using scene::MapAxis;
+using scene::Axis;
 using scene::MapSettings;
 using scene::Outcome;
 
@@ -35,7 +35,7 @@ std::string nameOf(Outcome outcome) {
   return std::string(scene::nameOf(scene::kOutcomes, outcome));
 }
 
-std::string axisJson(const MapAxis& axis, int count) {
+std::string axisJson(const Axis& axis, int count) {
   return JsonObject()
       .addString("key", axis.key)
       .addStringOrNull("label", axis.label)

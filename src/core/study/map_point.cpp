@@ -74,7 +74,7 @@ void changeMoments(const Values& values, MotionSettings& motion) {
 MapPoints::MapPoints(const MotionSettings& base, const scene::MapSettings& map)
     : base_(base), x_(axisOf(map.x, base)), y_(axisOf(map.y, base)) {}
 
-MapPoints::Axis MapPoints::axisOf(const scene::MapAxis& axis, const MotionSettings& base) {
+MapPoints::Axis MapPoints::axisOf(const scene::Axis& axis, const MotionSettings& base) {
   if (axis.kind != AxisKind::MotionKey) return {axis.kind, std::nullopt};
   return {axis.kind, scene::MotionNumber(base, axis.key, axis.to, axis.key)};
 }

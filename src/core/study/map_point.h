@@ -23,7 +23,7 @@ class MapPoints {
     std::optional<scene::MotionNumber> number{};
   };
 
-  static Axis axisOf(const scene::MapAxis& axis, const physics::MotionSettings& base);
+  static Axis axisOf(const scene::Axis& axis, const physics::MotionSettings& base);
 
   physics::MotionSettings base_;
   Axis x_, y_;

@@ -58,7 +58,7 @@ double durationOf(const scene::Scene& scene) {
 }
 
 /// Returns whether all motions along one of the axes are one and the same.
-bool isIdle(const scene::MapAxis& axis, const PanelRuns& panel, const MapSettings& map) {
+bool isIdle(const scene::Axis& axis, const PanelRuns& panel, const MapSettings& map) {
   if (axis.kind == scene::AxisKind::Time) return true;
   const bool isX = &axis == &map.x;
   const auto first = panel.at(map.x.from, map.y.from);
@@ -73,7 +73,7 @@ int tileSide(const MapSettings& map) {
 }
 
 /// Returns the values of an axis at `count` of its `size` pixels.
-std::vector<double> valuesAlong(const scene::MapAxis& axis, int first, int count, int size) {
+std::vector<double> valuesAlong(const scene::Axis& axis, int first, int count, int size) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i) values.push_back(axis.at(first + i, size));
   return values;

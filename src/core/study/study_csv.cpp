@@ -75,7 +75,7 @@ std::string csvField(const std::string& text) {
 }
 
 std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
-  std::string text = sweep.over.key;
+  std::string text = sweep.x.key;
   if (sweep.curves) text += "," + sweep.curves->key;
   for (const scene::Measure measure : sweep.measures)
     text += "," + std::string(scene::nameOf(measure));

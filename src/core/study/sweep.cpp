@@ -53,11 +53,11 @@ std::string ExpectedOfRun::subject() const {
 
 std::vector<ExpectedOfRun> expectedOf(const SweepStudy& result, const scene::Sweep& sweep) {
   std::vector<ExpectedOfRun> all;
-  for (const scene::SweepExpectation& one : sweep.expected) {
+  for (const scene::Expectation& one : sweep.expected) {
     const auto measure = std::ranges::find(sweep.measures, one.measure) - sweep.measures.begin();
     for (const SweepRow& row : result.rows) {
-      if (row.value != one.at.value_or(row.value)) continue;
-      if (row.curve != one.curve.value_or(row.curve)) continue;
+      if (row.value != one.at[0].value_or(row.value)) continue;
+      if (row.curve != one.at[1].value_or(row.curve)) continue;
       all.push_back({one, row.value, row.curve, row.measured[static_cast<std::size_t>(measure)]});
     }
   }

@@ -27,12 +27,12 @@ struct SweepStudy {
 
 /// A number that is expected of a run.
 struct ExpectedOfRun {
-  scene::SweepExpectation expectation;
+  scene::Expectation expectation;
   std::string value;  ///< As in SweepRow.
   std::string curve;  ///< As in SweepRow.
   double measured = kNoNumber;
 
-  bool isMet() const { return expectation.bounds.hold(measured); }
+  bool isMet() const { return expectation.bounds().hold(measured); }
   /// Returns "diverges_at at 10, matrix".
   std::string subject() const;
 };

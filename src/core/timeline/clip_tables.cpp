@@ -6,7 +6,7 @@
 namespace rotatebook::timeline {
 namespace {
 
-using scene::GridAxis;
+using scene::Axis;
 using scene::Measure;
 
 /// Returns the quantities that a single moment has.
@@ -21,11 +21,11 @@ std::vector<Measure> momentaryMeasures() {
 constexpr std::string_view kMotionColumns = "frame,time_s,qw,qx,qy,qz,wx,wy,wz,";
 constexpr std::string_view kDivergenceColumn = ",diverges_at";
 
-std::string keyCell(const std::optional<GridAxis>& axis) {
+std::string keyCell(const std::optional<Axis>& axis) {
   return axis ? axis->key + "," : "";
 }
 
-std::string valueCell(const std::optional<GridAxis>& axis, std::size_t index) {
+std::string valueCell(const std::optional<Axis>& axis, std::size_t index) {
   return axis ? axis->values[index].label + "," : "";
 }
 

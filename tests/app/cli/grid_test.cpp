@@ -25,8 +25,8 @@ half_turns = { min = 1 }
 
 constexpr const char* kGrid = R"(
 [grid]
-columns = { over = "initial.tilt", values = [0.1, 0.01, 0.001] }
-rows = { over = "simulation.substeps", values = [1, 4] }
+columns = { key = "initial.tilt", values = [0.1, 0.01, 0.001] }
+rows = { key = "simulation.substeps", values = [1, 4] }
 )";
 
 class GridCommands : public ProgramTest {
@@ -69,14 +69,12 @@ TEST_F(GridCommands, AnOptionTakesWholeNumbersWordsAndRanges) {
   const auto sceneOf = [&](const std::string& grid) {
     return runWithoutGraphics({"check", "--print", "one.toml", "--grid", grid}).output;
   };
-  EXPECT_THAT(
-      sceneOf("simulation.substeps=1..8"),
-      HasSubstr("columns = { over = \"simulation.substeps\", values = [1, 2, 3, 4, 5, 6, 7, "
-                "8] }\n"));
+  EXPECT_THAT(sceneOf("simulation.substeps=1..8"),
+              HasSubstr("columns = { key = \"simulation.substeps\", values = [1, 2, 3, 4, 5, 6, 7, "
+                        "8] }\n"));
   EXPECT_THAT(sceneOf("simulation.integrator=euler,rk4"),
               HasSubstr("values = [\"euler\", \"rk4\"]"));
-  EXPECT_THAT(sceneOf("simulation.substeps={ from = 1, to = 100, count = 3, spacing = "
-                      "\"logarithmic\" }"),
+  EXPECT_THAT(sceneOf("simulation.substeps={ from = 1, to = 100, count = 3, scale = \"log\" }"),
               HasSubstr("values = [1, 10, 100]"));
 }
 
@@ -97,8 +95,8 @@ TEST_F(GridCommands, RefusalsNameTheOption) {
   EXPECT_THAT(errorOf("simulation.substeps={ from = 1"), HasSubstr("isn't TOML"));
   EXPECT_THAT(errorOf("body.mass=1,2 x initial.tilt=1,2 x simulation.substeps=1,2"),
               HasSubstr("a grid has one key or two"));
-  EXPECT_THAT(errorOf("initial.tilt={ from = 0, to = 1, count = 3, spacing = \"logarithmic\" }"),
-              HasSubstr("logarithmic, which needs from and to over 0"));
+  EXPECT_THAT(errorOf("initial.tilt={ from = 0, to = 1, count = 3, scale = \"log\" }"),
+              HasSubstr("logarithmic, which needs from over 0"));
   // Found once the texts are laid out
   const std::string twelve = "simulation.substeps=1..12 x body.mass=1,2,3,4,5,6,7,8";
   EXPECT_THAT(errorOf(twelve), AllOf(StartsWith("rotatebook: --grid " + twelve + ": the 96 books"),

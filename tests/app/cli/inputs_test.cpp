@@ -64,7 +64,7 @@ y = { key = "initial.tilt.0", from = 1e-4, to = 1, scale = "log" }
 measure = "half_turns"
 duration = 1
 size = [32, 32]
-colours = { from = 0, to = 9 }
+colors = { from = 0, to = 9 }
 film = { x = [2, 3], duration = "0.1 s" }
 )";
 
@@ -196,7 +196,7 @@ TEST_F(Inputs, AreRecordingsOfAStudysRuns) {
   write("other.toml",
         "[body]\nsize = [0.15, 0.22, 0.04]\n[simulation]\nmodel = \"recorded\"\n"
         "file = \"again.csv\"\n[clip]\nsize = [64, 36]\nduration = 0.2\n"
-        "[study]\nover = \"simulation.file\"\nvalues = [\"again.csv\", \"measured.csv\"]\n"
+        "[study]\nx = { key = \"simulation.file\", values = [\"again.csv\", \"measured.csv\"] }\n"
         "measure = [\"half_turns\"]\n");
   fs::copy_file(folder() / "measured.csv", folder() / "again.csv");
   expectRefused("out/other-study.csv",

@@ -87,7 +87,7 @@ TEST_F(MapCommand, PrintsJson) {
 TEST_F(MapCommand, MakesAFilmOfTheMapThatHasOne) {
   expectRefused({"--film"}, "turns: map.film, the part of the map to zoom into, is missing; ");
   const ChildResult result =
-      runWithoutGraphics({"map", "turns.toml", "--film", "--set", "map.colours={from=0, to=9}",
+      runWithoutGraphics({"map", "turns.toml", "--film", "--set", "map.colors={from=0, to=9}",
                           "--set", "map.film={x=[2, 3], duration='0.2 s'}"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_EQ(result.output, "turns: Turns\n  wrote out/turns.film.mp4\n");

@@ -27,7 +27,7 @@ y = { key = "initial.tilt.0", from = 1e-4, to = 1, scale = "log" }
 measure = "half_turns"
 duration = 1
 size = [32, 32]
-colours = { from = 0, to = 9 }
+colors = { from = 0, to = 9 }
 film = { x = [2, 3], duration = "0.1 s" }
 )";
 

@@ -133,9 +133,8 @@ std::string panels(int count) {
 }
 
 std::string grid(const std::string& rows) {
-  return "[grid]\ncolumns = { over = 'simulation.substeps', values = [1, 2, 64] }\n" +
-         (rows.empty() ? ""
-                       : "rows = { over = 'simulation.stiffness', values = [" + rows + "] }\n");
+  return "[grid]\ncolumns = { key = 'simulation.substeps', values = [1, 2, 64] }\n" +
+         (rows.empty() ? "" : "rows = { key = 'simulation.stiffness', values = [" + rows + "] }\n");
 }
 
 // Bodies are drawn below their texts, so that grey as far as the eye reaches stays grey.

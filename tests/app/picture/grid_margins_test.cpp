@@ -27,9 +27,9 @@ using ::testing::StartsWith;
 // Letters of other versions of the libraries, and books of other drivers, differ in their edges.
 constexpr image::Tolerance kGridTolerance{.largest = 40, .failPercent = 0.1};
 constexpr const char* kColumns =
-    "columns = { over = 'initial.tilt', values = [0.1, 0.01, 0.0001], label = 'tilt [rad]' }\n";
+    "columns = { key = 'initial.tilt', values = [0.1, 0.01, 0.0001], label = 'tilt [rad]' }\n";
 constexpr const char* kRows =
-    "rows = { over = 'simulation.model', values = ['quaternion', 'particles'], label = 'model of "
+    "rows = { key = 'simulation.model', values = ['quaternion', 'particles'], label = 'model of "
     "the book' }\n";
 
 /// The particles burst at once.
@@ -126,7 +126,7 @@ TEST(Grid, DrawsAFrameAlikeAfterOthers) {
 TEST(Grid, ShowsInEachCellItsOwnMotion) {
   const auto cell = [](const std::string& values, std::size_t index) {
     const scene::Scene scene = gridScene(
-        "columns = { over = 'initial.tilt', values = " + values + " }\n", {"overlay.show=[]"});
+        "columns = { key = 'initial.tilt', values = " + values + " }\n", {"overlay.show=[]"});
     return cellOf(drawnGrid(scene, {11}), GridMargins(scene, 0).cells(), index);
   };
   // A cell's place moves the book by less than a pixel's hundredth. measured 0

@@ -183,7 +183,7 @@ TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
   writeMap(mapScene(), make(mapScene()).result, files());
   EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
   const scene::Scene retitled =
-      mapScene({"title=Other", "map.colours={palette='gray'}", "map.x.label=steps"});
+      mapScene({"title=Other", "map.colors={palette='gray'}", "map.x.label=steps"});
   EXPECT_EQ(make(retitled, resuming()).found, 8U) << "looks change no values";
   EXPECT_THAT(messageOf<InputError>([&] { make(mapScene({"map.duration=2"}), resuming()); }),
               HasSubstr("small.npy holds the values of other settings"));

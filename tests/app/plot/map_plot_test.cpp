@@ -30,7 +30,7 @@ scene::Scene mapScene(const std::string& more = "") {
       "x = { key = 'moments.smallest', from = 0, to = 1, label = 'smallest / largest' }\n"
       "y = { key = 'moments.middle', from = 0.5, to = 1, label = 'median / largest' }\n"
       "size = [40, 24]\nmeasure = 'growth'\n" +
-          (more.empty() ? "colours = { palette = 'viridis', from = 0, to = 1, contours = [0.3] }\n"
+          (more.empty() ? "colors = { palette = 'viridis', from = 0, to = 1, contours = [0.3] }\n"
                           "marks = [{ moments = [1, 2.3, 3.1], label = 'book' }]\n"
                         : more),
       "bodies.toml");
@@ -173,7 +173,7 @@ TEST(MapGolden, IsMatched) {
 }
 
 TEST(MapGolden, IsNotMatchedByOtherColoursOrMarks) {
-  EXPECT_FALSE(matches(mapScene("colours = { palette = 'gray', from = 0, to = 1 }\n")));
+  EXPECT_FALSE(matches(mapScene("colors = { palette = 'gray', from = 0, to = 1 }\n")));
   scene::Scene moved = mapScene();
   moved.map->marks[0].x = 0.6;
   EXPECT_FALSE(matches(moved));

@@ -163,9 +163,9 @@ TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {
   EXPECT_THAT(textsOn(plotOf(study, {})), IsSupersetOf({"measured"}));
 }
 
-scene::Sweep sweepOver(const scene::SweepKey& key, const std::vector<scene::Measure>& measures) {
+scene::Sweep sweepOver(const scene::Axis& axis, const std::vector<scene::Measure>& measures) {
   scene::Sweep sweep;
-  sweep.over = key;
+  sweep.x = axis;
   sweep.measures = measures;
   return sweep;
 }
@@ -222,12 +222,12 @@ TEST(SweepPlot, IsDrawnWithoutAnyResult) {
 
 TEST(StudyLetters, AreRequiredOfTheSceneAndItsValues) {
   scene::Scene scene = scene::parseScene(
-      "title = 'T'\n[initial]\nangular_velocity = [5, 0, 0]\n[study]\nover = "
-      "'simulation.model'\nvalues = ['matrix', 'quaternion']\n"
+      "title = 'T'\n[initial]\nangular_velocity = [5, 0, 0]\n[study]\n"
+      "x = { key = 'simulation.model', values = ['matrix', 'quaternion'] }\n"
       "measure = ['error_deg']\n",
       "s.toml");
   requireStudyLetters(scene, *scene.study);
-  scene.study->sweep->over.values[1].label = "\xe4\xb8\xad";
+  scene.study->sweep->x.values[1].label = "\xe4\xb8\xad";
   EXPECT_THROW(requireStudyLetters(scene, *scene.study), InputError);
 }
 

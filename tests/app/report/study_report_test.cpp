@@ -141,11 +141,12 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
 StudiedScene sweptScene() {
   StudiedScene studied = studiedScene();
   scene::Sweep& sweep = studied.study.sweep.emplace();
-  sweep.over = {"simulation.substeps", {{"10", "10", 10}}};
+  sweep.x = {"simulation.substeps", {{"10", "10", 10}}};
   sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
   sweep.measures = {scene::Measure::DivergesAt, scene::Measure::Stretch};
-  sweep.expected = {{scene::Measure::DivergesAt, {}, "matrix", {{}, 4}},
-                    {scene::Measure::DivergesAt, {}, "quaternion", {30, {}}}};
+  sweep.expected = {
+      {.measure = scene::Measure::DivergesAt, .max = 4, .at = {std::nullopt, "matrix"}},
+      {.measure = scene::Measure::DivergesAt, .min = 30, .at = {std::nullopt, "quaternion"}}};
   constexpr double kNever = std::numeric_limits<double>::infinity();
   studied.result = study::SweepStudy{
       {{"10", "matrix", {RunEnd::Kind::Diverged, 4.5}, 20, {4.5, study::kNoNumber}},

@@ -19,8 +19,8 @@ using ::testing::StartsWith;
 
 constexpr const char* kTilted = "[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n";
 constexpr const char* kColumns =
-    "columns = { over = 'initial.tilt', values = [0.1, 0.01, 0.001] }\n";
-constexpr const char* kRows = "rows = { over = 'simulation.substeps', values = [2, 8] }\n";
+    "columns = { key = 'initial.tilt', values = [0.1, 0.01, 0.001] }\n";
+constexpr const char* kRows = "rows = { key = 'simulation.substeps', values = [2, 8] }\n";
 
 Scene gridOf(const std::string& lines) {
   return parseScene(std::string(kTilted) + "[grid]\n" + lines, "a.toml");
@@ -61,26 +61,26 @@ TEST(GridSection, MayHaveColumnsOrRowsAlone) {
 
 TEST(GridSection, TakesRangesWordsUnitsAndLabels) {
   const Scene scene = gridOf(
-      "columns = { over = 'simulation.integrator', values = ['euler', 'rk4'] }\n"
-      "rows = { over = 'initial.tilt', values = ['1 deg', '2 deg'] }");
+      "columns = { key = 'simulation.integrator', values = ['euler', 'rk4'] }\n"
+      "rows = { key = 'initial.tilt', values = ['1 deg', '2 deg'] }");
   EXPECT_EQ(scene.panels[1].simulation.integrator, physics::Integrator::Rk4);
   EXPECT_NEAR(scene.panels[2].initial.tilt->angle, 0.0349066, 1e-7);  // 2 deg
   EXPECT_EQ(scene.panels[2].label, "integrator euler, tilt 2 deg");
   const Scene range = gridOf(
-      "columns = { over = 'simulation.substeps',"
-      " values = { from = 1, to = 100, count = 3, spacing = 'logarithmic' } }");
+      "columns = { key = 'simulation.substeps',"
+      " from = 1, to = 100, count = 3, scale = 'log' }");
   EXPECT_EQ(range.panels[1].simulation.substeps, 10);
   const Scene spins = gridOf(
-      "columns = { over = 'initial.angular_velocity', label = 'spin',"
+      "columns = { key = 'initial.angular_velocity', label = 'spin',"
       " values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");
   EXPECT_EQ(spins.panels[1].initial.value.y(), 4);
 }
 
 TEST(GridSection, ReadsBackTheSameFromItsText) {
-  const Scene scene = gridOf(
-      std::string(kColumns) + kRows +
-      "expect = [{ column = 0.01, row = 8, half_turns = { min = 1 } }, { L_ratio = { max = 2 } }]\n"
-      "[expect]\nerror_deg = { max = 180 }");
+  const Scene scene = gridOf(std::string(kColumns) + kRows +
+                             "expect = [{ of = 'half_turns', column = 0.01, row = 8, min = 1 }, { "
+                             "of = 'L_ratio', max = 2 }]\n"
+                             "[expect]\nerror_deg = { max = 180 }");
   const Scene again = parseScene(sceneText(scene), "a.toml");
   EXPECT_EQ(again.grid, scene.grid);
   EXPECT_EQ(again.panels, scene.panels);
@@ -90,8 +90,8 @@ TEST(GridSection, ReadsBackTheSameFromItsText) {
 TEST(GridSection, ExpectsOfAllOfARowOfAColumnOrOfACell) {
   const Scene scene =
       gridOf(std::string(kColumns) + kRows +
-             "expect = [{ column = 0.01, row = 8, half_turns = { min = 1 } },"
-             " { row = 2, L_ratio = { max = 2 } }, { column = 0.1, L_ratio = { min = 0.5 } }]\n"
+             "expect = [{ of = 'half_turns', column = 0.01, row = 8, min = 1 },"
+             " { of = 'L_ratio', row = 2, max = 2 }, { of = 'L_ratio', column = 0.1, min = 0.5 }]\n"
              "[expect]\nerror_deg = { max = 180 }");
   std::vector<std::size_t> counts;
   for (const Panel& panel : scene.panels) counts.push_back(panel.expectations.size());
@@ -103,29 +103,28 @@ TEST(GridSection, NamesItsAxesWithUnits) {
   const GridSettings grid = *gridOf(std::string(kColumns) + kRows).grid;
   EXPECT_EQ(nameOf(*grid.columns), "initial.tilt  [rad]");
   EXPECT_EQ(nameOf(*grid.rows), "simulation.substeps");
-  EXPECT_EQ(nameOf(GridAxis{{"nudge.0.at", {{"1", "1", 1.0}}}}), "nudge.0.at  [s]");
-  EXPECT_EQ(nameOf(GridAxis{{"body.size.2", {{"1", "1", 1.0}}}}), "body.size.2  [m]");
-  EXPECT_EQ(nameOf(GridAxis{{"body.size.2", {{"'1 cm'", "1 cm", {}}}}}), "body.size.2")
+  EXPECT_EQ(nameOf(Axis{"nudge.0.at", {{"1", "1", 1.0}}}), "nudge.0.at  [s]");
+  EXPECT_EQ(nameOf(Axis{"body.size.2", {{"1", "1", 1.0}}}), "body.size.2  [m]");
+  EXPECT_EQ(nameOf(Axis{"body.size.2", {{"'1 cm'", "1 cm", {}}}}), "body.size.2")
       << "the values have a unit of their own";
-  EXPECT_EQ(nameOf(GridAxis{{"body.mass", {{"1", "1", 1.0}}}, "mass of the book"}),
-            "mass of the book");
+  EXPECT_EQ(nameOf(Axis{"body.mass", {{"1", "1", 1.0}}, "mass of the book"}), "mass of the book");
 }
 
 TEST(GridSection, RefusesKeysThatChangeNothing) {
-  EXPECT_EQ(errorOfGrid("columns = { over = 'simulation.substep', values = [1, 2] }"),
-            "a.toml:5:20: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
-  EXPECT_THAT(errorOfGrid("columns = { over = 'look.supersample', values = [1, 2] }"),
-              AllOf(StartsWith("a.toml:5:20: grid.columns.over must be a key of"),
+  EXPECT_EQ(errorOfGrid("columns = { key = 'simulation.substep', values = [1, 2] }"),
+            "a.toml:5:19: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
+  EXPECT_THAT(errorOfGrid("columns = { key = 'look.supersample', values = [1, 2] }"),
+              AllOf(StartsWith("a.toml:5:19: grid.columns.key must be a key of"),
                     HasSubstr("\"simulation.substeps\"")));
-  EXPECT_EQ(errorOfGrid("columns = { over = 'simulation.stiffness', values = [1, 2] }"),
-            "a.toml:5:20: simulation.stiffness is of the model \"particles\" alone; all books "
+  EXPECT_EQ(errorOfGrid("columns = { key = 'simulation.stiffness', values = [1, 2] }"),
+            "a.toml:5:19: simulation.stiffness is of the model \"particles\" alone; all books "
             "would be the same");
   EXPECT_EQ(errorOfText(std::string(kTilted) +
                         "[simulation]\nmodel = 'exact'\n[grid]\n"
-                        "columns = { over = 'simulation.substeps', values = [1, 2] }"),
-            "a.toml:7:20: simulation.substeps: the model \"exact\" takes no steps; all books "
+                        "columns = { key = 'simulation.substeps', values = [1, 2] }"),
+            "a.toml:7:19: simulation.substeps: the model \"exact\" takes no steps; all books "
             "would be the same");
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.time_per_frame', values = [1, 2] }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.time_per_frame', values = [1, 2] }"),
               HasSubstr("all share one clock; vary simulation.step"));
   EXPECT_THAT(
       errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)),
@@ -133,37 +132,37 @@ TEST(GridSection, RefusesKeysThatChangeNothing) {
 }
 
 TEST(GridSection, RefusesValues) {
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [1, 0] }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 0] }"),
               AllOf(StartsWith("a.toml:5:"), HasSubstr("simulation.substeps must be")));
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [1, 'two'] }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 'two'] }"),
               HasSubstr("simulation.substeps must be"));
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [] }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [] }"),
               HasSubstr("grid.columns.values must be a list"));
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [2, 2] }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [2, 2] }"),
               HasSubstr("has 2 twice"));
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = { from = 8, to = 1, "
-                          "count = 3 } }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', from = 8, to = 1, "
+                          "count = 3 }"),
               HasSubstr("runs from 8.0 to 1.0; from must be less than to: swap them"));
-  EXPECT_THAT(errorOfGrid("columns = { over = 'initial.tilt', values = { from = 0, to = 1, "
-                          "count = 3, spacing = 'logarithmic' } }"),
+  EXPECT_THAT(errorOfGrid("columns = { key = 'initial.tilt', from = 0, to = 1, "
+                          "count = 3, scale = 'log' }"),
               HasSubstr("is logarithmic, which needs from and to over 0"));
 }
 
 TEST(GridSection, RefusesMoreBooksThanHaveRoom) {
   const std::string twelve = "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]";
-  EXPECT_EQ(gridOf("columns = { over = 'simulation.substeps', values = " + twelve +
-                   " }\nrows = { over = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, "
+  EXPECT_EQ(gridOf("columns = { key = 'simulation.substeps', values = " + twelve +
+                   " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, "
                    "1e-6, 1e-7, 1e-8] }")
                 .panels.size(),
             96U);
-  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = " + twelve +
-                          " }\nrows = { over = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "
+  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = " + twelve +
+                          " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "
                           "1e-5, 1e-6, 1e-7, 1e-8, 1e-9] }"),
               HasSubstr("12 columns and 9 rows, 108 books; the limit is 96"));
-  EXPECT_THAT(errorOfGrid("rows = { over = 'simulation.substeps', values = { from = 1, to = 13, "
-                          "count = 13 } }"),
+  EXPECT_THAT(errorOfGrid("rows = { key = 'simulation.substeps', from = 1, to = 13, "
+                          "count = 13 }"),
               HasSubstr("grid.rows has 13 values; a side of a grid has up to 12"));
-  EXPECT_THAT(errorOfGrid("rows = { over = 'simulation.substeps', values = [4] }"),
+  EXPECT_THAT(errorOfGrid("rows = { key = 'simulation.substeps', values = [4] }"),
               HasSubstr("a single book"));
   EXPECT_THAT(
       errorOfText(std::string(kTilted) + "[clip]\nduration = 9999\nfps = 240\n[grid]\n" + kColumns),
@@ -181,19 +180,22 @@ TEST(GridSection, RefusesWhatDoesNotGoTogether) {
                           "y = { key = 'body.mass', from = 1, to = 2 }\nmeasure = 'tilt_deg'"),
               HasSubstr("both [map] and [grid]"));
   EXPECT_THAT(errorOfGrid(""), HasSubstr("[grid] needs columns or rows"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "rows = { over = 'initial.tilt.0', values = "
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "rows = { key = 'initial.tilt.0', values = "
                                                   "[1, 2] }"),
-              HasSubstr("grid.rows.over is grid.columns.over, too"));
+              HasSubstr("grid.rows.key is grid.columns.key, too"));
 }
 
 TEST(GridSection, RefusesExpectationsOfNoCell) {
   EXPECT_THAT(
-      errorOfGrid(std::string(kColumns) + "expect = { column = 0.5, half_turns = { min = 1 } }"),
+      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', column = 0.5, min = 1 }"),
       HasSubstr("column = 0.5 is no value of grid.columns"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { row = 1, half_turns = { min = 1 } }"),
-              HasSubstr("needs grid.rows"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { column = 0.1 }"),
-              HasSubstr("needs a quantity and its bounds"));
+  EXPECT_THAT(
+      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', row = 1, min = 1 }"),
+      HasSubstr("needs grid.rows"));
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { column = 0.1, min = 1 }"),
+              HasSubstr("grid.expect needs of"));
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns' }"),
+              HasSubstr("needs at least one of min, max, rises_to and falls_to"));
 }
 
 }  // namespace

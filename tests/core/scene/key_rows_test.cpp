@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "scene/grid_settings.h"
+#include "scene/axis.h"
 #include "scene/parse.h"
 
 namespace rotatebook::scene {

@@ -60,7 +60,7 @@ TEST(MapSection, PutsValuesIntoTheMiddlesOfPixels) {
 TEST(MapSection, IsPrintedAsItIsRead) {
   const Scene scene = sceneFrom(withAxes(
       "measure = 'error_deg'\nmoment = 'largest'\nsize = [30, 20]\nduration = 3\ninterval = 0.1\n"
-      "colours = { palette = 'viridis', reversed = true, from = 1, to = 100, scale = 'log', "
+      "colors = { palette = 'viridis', reversed = true, from = 1, to = 100, scale = 'log', "
       "contours = [2, 5.5] }\n"
       "marks = [{ at = [10, 1], label = 'a \"b\"' }]\n"
       "expect = [{ of = 'share', outcome = 'diverged', max = 0.5 }, "
@@ -71,7 +71,7 @@ TEST(MapSection, IsPrintedAsItIsRead) {
   EXPECT_EQ(sceneText(again), sceneText(scene));
 }
 
-constexpr const char* kColours = "colours = { from = 0, to = 9 }\n";
+constexpr const char* kColours = "colors = { from = 0, to = 9 }\n";
 
 TEST(MapFilm, IsPrintedAsItIsRead) {
   const Scene scene =
@@ -103,7 +103,7 @@ TEST(MapFilm, ZoomsFromTheWholeMapIntoItsPart) {
 
 TEST(MapFilm, IsRefusedWhereItCantBe) {
   EXPECT_THAT(errorOfMap("film = { x = [10, 20] }"),
-              StartsWith("a.toml:5:8: map.film needs map.colours with from and to"));
+              StartsWith("a.toml:5:8: map.film needs map.colors with from and to"));
   EXPECT_THAT(errorOfMap(kColours + std::string("film = { duration = 3 }")),
               StartsWith("a.toml:6:8: map.film needs x or y"));
   EXPECT_THAT(
@@ -226,8 +226,8 @@ TEST(MapSection, RefusesWhatCantBeMarkedOrExpected) {
   EXPECT_THAT(errorOfMap("expect = [{ of = 'largest' }]"), HasSubstr("needs min, max or both"));
   EXPECT_THAT(errorOfMap("expect = [{ of = 'largest', min = 1, panel = 'b' }]"),
               HasSubstr("the scene has no panel \"b\""));
-  EXPECT_THAT(errorOfMap("colours = { from = 2, to = 1 }"), HasSubstr("reversed = true"));
-  EXPECT_THAT(errorOfMap("colours = { from = 0, scale = 'log' }"), HasSubstr("needs from over 0"));
+  EXPECT_THAT(errorOfMap("colors = { from = 2, to = 1 }"), HasSubstr("reversed = true"));
+  EXPECT_THAT(errorOfMap("colors = { from = 0, scale = 'log' }"), HasSubstr("needs from over 0"));
 }
 
 TEST(MapSection, NeedsItsAxesAndAMeasure) {

@@ -56,11 +56,11 @@ TEST(Steps, ThatAreCloserReplaceTheOthers) {
 }
 
 TEST(Steps, VaryInGridsStudiesAndMaps) {
-  const std::string values = "over = 'simulation.step', values = ['10 ms', '1 ms']";
+  const std::string values = "key = 'simulation.step', values = ['10 ms', '1 ms']";
   const Scene grid = sceneFrom("simulation.substeps = 3\n[grid]\ncolumns = { " + values + " }");
   EXPECT_EQ(grid.panels[1].simulation.steps().length(), 0.001);
   const Scene study = sceneFrom(
-      "simulation.substeps = 3\n[study]\nover = 'simulation.step'\nvalues = [0.01, 0.001]\n"
+      "simulation.substeps = 3\n[study]\nx = { key = 'simulation.step', values = [0.01, 0.001] }\n"
       "measure = ['half_turns']");
   EXPECT_EQ(study.study->sweep->runs[1].motion.simulation.steps().length(), 0.001);
   EXPECT_EQ(study.study->sweep->runs[1].motion.simulation.timePerFrame, 1.0 / 60);

@@ -29,9 +29,8 @@ scene::Scene explosions(const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> all{"simulation.model=particles",
                                "simulation.normalize=false",
                                "simulation.time_per_frame=0.041666666666666664",
-                               "study.over=simulation.substeps",
-                               "study.values=[1, 4096]",
-                               "study.curves={over='simulation.damping', values=[0, 1.5]}",
+                               "study.x={key='simulation.substeps', values=[1, 4096]}",
+                               "study.curves={key='simulation.damping', values=[0, 1.5]}",
                                "study.measure=['diverges_at', 'stretch']"};
   all.insert(all.end(), overrides.begin(), overrides.end());
   return smallScene(all);
@@ -63,8 +62,8 @@ TEST(Sweep, TellsNeverFromUnknownInItsTable) {
 
 TEST(Sweep, QuotesLabelsThatNeedIt) {
   const scene::Scene scene =
-      smallScene({"study.over=simulation.substeps",
-                  "study.values=[{label='one, \"rough\"', value=1}, {label='eight', value=8}]",
+      smallScene({"study.x={key='simulation.substeps', values=["
+                  "{label='one, \"rough\"', value=1}, {label='eight', value=8}]}",
                   "study.measure=['half_turns']"});
   const std::string csv = sweepCsv(resultOf(scene), *scene.study->sweep);
   EXPECT_THAT(csv, HasSubstr("\n\"one, \"\"rough\"\"\","));
@@ -101,9 +100,9 @@ TEST(Sweep, IsTheSameHoweverTheRunsAreMade) {
 }
 
 TEST(Sweep, ComparesRunsWithWhatIsExpected) {
-  const scene::Scene scene = explosions(
-      {"study.expect=[{measure='diverges_at', at=1, curve=0, max=0.3}, "
-       "{measure='diverges_at', at=4096, min=0.4}, {measure='stretch', curve=0, max=1}]"});
+  const scene::Scene scene =
+      explosions({"study.expect=[{of='diverges_at', x=1, curve=0, max=0.3}, "
+                  "{of='diverges_at', x=4096, min=0.4}, {of='stretch', curve=0, max=1}]"});
   const std::vector<ExpectedOfRun> expected = expectedOf(resultOf(scene), *scene.study->sweep);
   std::vector<std::string> subjects;
   for (const ExpectedOfRun& one : expected) subjects.push_back(one.subject());
@@ -123,7 +122,7 @@ TEST(Sweep, HasNoResultAfterAStop) {
 }
 
 TEST(Sweep, HasADurationAndAnIntervalOfItsOwn) {
-  const std::vector<std::string> own{"study.over=simulation.substeps", "study.values=[10]",
+  const std::vector<std::string> own{"study.x={key='simulation.substeps', values=[10]}",
                                      "study.measure=['half_turns', 'error_deg']",
                                      "study.duration=3", "study.interval='10 ms'"};
   const SweepRow row = resultOf(smallScene(own)).rows.front();
@@ -135,7 +134,7 @@ TEST(Sweep, HasADurationAndAnIntervalOfItsOwn) {
 
 TEST(Sweep, MakesMotionsOfOneLengthWhateverTheTimePerFrame) {
   const SweepStudy result =
-      resultOf(smallScene({"study.over=simulation.time_per_frame", "study.values=[0.01, 0.1, 0.3]",
+      resultOf(smallScene({"study.x={key='simulation.time_per_frame', values=[0.01, 0.1, 0.3]}",
                            "study.measure=['half_turns']", "study.duration=1.2"}));
   for (const SweepRow& row : result.rows) EXPECT_DOUBLE_EQ(row.length, 1.2);
 }

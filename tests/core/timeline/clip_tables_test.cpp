@@ -49,8 +49,8 @@ TEST(ClipTables, OfAMotionAndOfPanelsAreThoseOfTheMotions) {
 
 TEST(ClipTables, OfAGridIsOneWithARowForEachCell) {
   const scene::Scene grid = sceneOf(
-      "[grid]\ncolumns = { over = 'initial.tilt', values = [0.1, 0.01] }\n"
-      "rows = { over = 'simulation.substeps', values = [1, 2, 4] }");
+      "[grid]\ncolumns = { key = 'initial.tilt', values = [0.1, 0.01] }\n"
+      "rows = { key = 'simulation.substeps', values = [1, 2, 4] }");
   const ClipMotion motion = simulateScene(grid);
   EXPECT_EQ(tableCount(grid), 1U);
   EXPECT_EQ(rowCount(grid, motion, 0), 6U);
@@ -72,7 +72,7 @@ TEST(ClipTables, OfAGridIsOneWithARowForEachCell) {
 TEST(ClipTables, SayWhenAMotionDiverges) {
   const scene::Scene grid = sceneOf(
       "[simulation]\nmodel = 'particles'\nsubsteps = 1\nnormalize = false\n[grid]\n"
-      "columns = { over = 'simulation.stiffness', values = [100, 1e9] }");
+      "columns = { key = 'simulation.stiffness', values = [100, 1e9] }");
   const ClipMotion motion = simulateScene(grid);
   ASSERT_TRUE(motion.trajectories()[1].divergedAt);
   const auto rows = cellsOf(tableText(grid, motion, 0));

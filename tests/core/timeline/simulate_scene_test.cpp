@@ -130,7 +130,7 @@ TEST(SimulateScene, EndsInAGridTheMotionWhoseStepCannotBeMade) {
                                                std::vector<std::string>{"simulation.substeps=1"})),
                InputError);
   const ClipMotion motion = simulateScene(scene::parseScene(
-      book + "[grid]\ncolumns = { over = 'simulation.substeps', values = [1, 1000] }", "a.toml"));
+      book + "[grid]\ncolumns = { key = 'simulation.substeps', values = [1, 1000] }", "a.toml"));
   const auto& [refused, solved] = std::tie(motion.trajectories()[0], motion.trajectories()[1]);
   EXPECT_EQ(refused.divergedAt, 0.1);
   EXPECT_EQ(refused.samples.size(), 1U);

@@ -17,8 +17,6 @@ const Keys<physics::MotionSettings>& bodyKeys();
 const Keys<physics::SimulationSettings>& simulationKeys();
 const Keys<physics::InitialSpin>& initialKeys();
 const Keys<physics::Nudge>& nudgeKeys();
-/// One key for each quantity, in the order of the enumeration.
-const Keys<std::vector<Expectation>>& expectKeys();
 /// Keys of a panel itself, without its sections.
 const Keys<Panel>& panelKeys();
 
@@ -42,13 +40,6 @@ const Keys<MapSettings>& mapKeys();
 
 /// Keys of [grid].
 const Keys<GridSettings>& gridKeys();
-
-/// Keys of bounds on a number.
-const Keys<Bounds>& boundKeys();
-/// Throws InputError if `bounds`, read from `value`, are none, or in the wrong order.
-void checkBounds(const ValueReader& value, const Bounds& bounds);
-/// Returns fields that read the keys of bounds into `bounds`, which must outlive them.
-std::vector<Field> boundFields(Bounds& bounds);
 
 /// Returns the lines of study.orders, one for each integrator.
 std::string ordersText(const StudySettings& study);

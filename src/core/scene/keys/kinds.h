@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -64,6 +66,25 @@ std::string listText(const std::vector<T>& values, const Text& text) {
   std::vector<std::string> parts;
   for (const T& value : values) parts.push_back(text(value));
   return "[" + joined(parts) + "]";
+}
+
+/// Lists of tables, each of which `read` reads and `text` prints. An empty list, by which the
+/// command line leaves out what is there, has none.
+template <typename T>
+Kind<std::vector<T>> tables(std::function<T(const ValueReader&)> read,
+                            std::function<std::string(const T&)> text, const char* expected) {
+  return {[=](const ValueReader& value) {
+            std::vector<T> all;
+            const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
+            if (array != nullptr && array->empty()) return all;
+            readEach(value.tables(expected),
+                     [&](const ValueReader& table) { all.push_back(read(table)); });
+            return all;
+          },
+          [text = std::move(text)](const std::vector<T>& all) {
+            return all.empty() ? "" : listText(all, text);
+          },
+          expected};
 }
 
 /// Returns the name of `value`, in quotes.

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/keys/axis_keys.h"
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -14,8 +16,6 @@ namespace {
 using document::kNumber;
 using document::kPositive;
 
-constexpr const char* kExpectedAxis =
-    "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }";
 constexpr const char* kExpectedSize = "numbers of runs across and up, such as [960, 540]";
 constexpr const char* kExpectedColours =
     "a table such as { palette = \"inferno\", from = 0, to = 180 }";
@@ -38,65 +38,12 @@ constexpr std::array<Named<Palette>, 4> kPalettes{{{"inferno", Palette::Inferno}
                                                    {"viridis", Palette::Viridis},
                                                    {"gray", Palette::Gray},
                                                    {"coolwarm", Palette::Coolwarm}}};
-constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
-                                                     {"spin.longitude", AxisKind::SpinLongitude},
-                                                     {"spin.latitude", AxisKind::SpinLatitude},
-                                                     {"moments.smallest", AxisKind::SmallestMoment},
-                                                     {"moments.middle", AxisKind::MiddleMoment}}};
 using Of = MapExpectation::Of;
 constexpr std::array<Named<Of>, 5> kOfs{{{"smallest", Of::Smallest},
                                          {"largest", Of::Largest},
                                          {"mean", Of::Mean},
                                          {"share", Of::Share},
                                          {"value", Of::Value}}};
-/// Returns the keys of an axis.
-const Keys<MapAxis>& axisKeys() {
-  static const Keys<MapAxis> keys{
-      {"key",
-       [](const ValueReader& value, MapAxis& axis) {
-         axis.key = value.text(kLongestPath);
-         const auto special = std::ranges::find(kAxisKinds, axis.key, &Named<AxisKind>::name);
-         if (special != kAxisKinds.end()) axis.kind = special->value;
-       },
-       [](const MapAxis& axis) { return tomlString(axis.key); },
-       {}},
-      key("from", &MapAxis::from, number(kNumber)),
-      key("to", &MapAxis::to, number(kNumber)),
-      key("scale", &MapAxis::scale, oneOf(kScales)),
-      {"label",
-       [](const ValueReader& value, MapAxis& axis) { axis.label = value.text(kLongestLabel); },
-       [](const MapAxis& axis) { return axis.label.empty() ? "" : tomlString(axis.label); },
-       {}},
-  };
-  return keys;
-}
-
-void requireKeys(const ValueReader& table, std::initializer_list<const char*> keys) {
-  for (const char* key : keys) {
-    if (!table.find(key)) table.fail(table.name() + " needs " + key);
-  }
-}
-
-MapAxis mapAxisFrom(const ValueReader& table) {
-  MapAxis axis;
-  readKeys(table, axisKeys(), axis);
-  requireKeys(table, {"key", "from", "to"});
-  if (!(axis.from < axis.to)) {
-    table.find("from")->fail(table.name() + " runs from " + tomlNumber(axis.from) + " to " +
-                             tomlNumber(axis.to) + "; from must be less than to");
-  }
-  if (axis.scale == Scale::Logarithmic && !(axis.from > 0)) {
-    table.find("from")->fail(table.name() + " is logarithmic, which needs from over 0, not " +
-                             tomlNumber(axis.from));
-  }
-  return axis;
-}
-
-Kind<MapAxis> axis() {
-  return {mapAxisFrom, [](const MapAxis& one) { return inlineTable(axisKeys(), one); },
-          kExpectedAxis};
-}
-
 Measure measureFrom(const ValueReader& value) {
   std::vector<std::string_view> names;
   for (const MeasureRow& row : kMeasureRows) names.push_back(row.name);
@@ -193,13 +140,6 @@ Kind<MapFilm> film() {
           [](const MapFilm& one) { return inlineTable(filmKeys(), one); }, kExpectedFilm};
 }
 
-/// Returns whether `value` is a list of nothing, by which the command line leaves out what is
-/// there.
-bool isEmptyList(const ValueReader& value) {
-  const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
-  return array != nullptr && array->empty();
-}
-
 MapMark markFrom(const ValueReader& table) {
   MapMark mark;
   table.readTable(
@@ -228,18 +168,14 @@ std::string markText(const MapMark& mark) {
 }
 
 Kind<std::vector<MapMark>> marks() {
-  return {
-      [](const ValueReader& value) {
-        std::vector<MapMark> all;
-        if (isEmptyList(value)) return all;
-        readEach(value.tables(kExpectedMarks),
-                 [&](const ValueReader& table) { all.push_back(markFrom(table)); });
-        if (all.size() <= kMaxMarks) return all;
-        value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
-                   std::to_string(kMaxMarks));
-      },
-      [](const std::vector<MapMark>& all) { return all.empty() ? "" : listText(all, markText); },
-      kExpectedMarks};
+  auto kind = tables<MapMark>(markFrom, markText, kExpectedMarks);
+  kind.read = [read = kind.read](const ValueReader& value) {
+    auto all = read(value);
+    if (all.size() <= kMaxMarks) return all;
+    value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
+               std::to_string(kMaxMarks));
+  };
+  return kind;
 }
 
 const Keys<MapExpectation>& expectationKeys() {
@@ -264,7 +200,11 @@ MapExpectation mapExpectationFrom(const ValueReader& table) {
   std::vector<Field> fields = fieldsOf(
       expectationKeys(),
       [&](const Key<MapExpectation>& key, const ValueReader& value) { key.read(value, one); });
-  for (Field& bound : boundFields(one.bounds)) fields.push_back(std::move(bound));
+  for (Field& bound : fieldsOf(boundKeys(), [&](const Key<Bounds>&key, const ValueReader&value) {
+         key.read(value, one.bounds);
+       })) {
+    fields.push_back(std::move(bound));
+  }
   table.readTable(fields);
   requireKeys(table, {"of"});
   const bool isShare = one.of == Of::Share, isValue = one.of == Of::Value;
@@ -285,27 +225,13 @@ std::string mapExpectationText(const MapExpectation& one) {
   return start.substr(0, start.size() - 2) + ", " + inlineTable(boundKeys(), one.bounds).substr(2);
 }
 
-Kind<std::vector<MapExpectation>> expectations() {
-  return {[](const ValueReader& value) {
-            std::vector<MapExpectation> all;
-            if (isEmptyList(value)) return all;
-            readEach(value.tables(kExpectedMapBounds),
-                     [&](const ValueReader& table) { all.push_back(mapExpectationFrom(table)); });
-            return all;
-          },
-          [](const std::vector<MapExpectation>& all) {
-            return all.empty() ? "" : listText(all, mapExpectationText);
-          },
-          kExpectedMapBounds};
-}
-
 }  // namespace
 
 const Keys<MapSettings>& mapKeys() {
   static const Keys<MapSettings> keys{
-      key("x", &MapSettings::x, axis(),
-          {.meaning = "the axis across, see [maps](map.md#axes)", .byDefault = "required"}),
-      key("y", &MapSettings::y, axis(),
+      key("x", &MapSettings::x, pixelAxis(),
+          {.meaning = "the axis across, see [axes](vary.md#axes)", .byDefault = "required"}),
+      key("y", &MapSettings::y, pixelAxis(),
           {.meaning = "the axis up, likewise", .byDefault = "required"}),
       {"measure",
        [](const ValueReader& value, MapSettings& map) { map.measure = measureFrom(value); },
@@ -331,7 +257,7 @@ const Keys<MapSettings>& mapKeys() {
           {.comment = "s from look to look",
            .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),
-      key("colours", &MapSettings::colours,
+      key("colors", &MapSettings::colours,
           Kind<MapColours>{coloursFrom,
                            [](const MapColours& all) { return inlineTable(colourKeys(), all); },
                            kExpectedColours,
@@ -344,9 +270,10 @@ const Keys<MapSettings>& mapKeys() {
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
            .byDefault = "none",
            .affects = Affects::Picture}),
-      key("expect", &MapSettings::expected, expectations(),
+      key("expect", &MapSettings::expected,
+          tables<MapExpectation>(mapExpectationFrom, mapExpectationText, kExpectedMapBounds),
           {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
-                      "value; see [maps](map.md#expectations)",
+                      "value; see [expectations](vary.md#expectations)",
            .byDefault = "none",
            .affects = Affects::Text}),
       key("film", &MapSettings::film, film(),

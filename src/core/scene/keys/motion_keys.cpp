@@ -1,4 +1,4 @@
-// The keys of [body], [initial], [[nudge]] and [expect]: what moves, and what it must show.
+// The keys of [body], [initial] and [[nudge]]: what moves.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -31,9 +31,6 @@ constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
                                   Dimension::Time};
-constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
-constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
-constexpr NumberRange kWindowTimes{kNotNegative.expected, 0, kNotNegative.max, Dimension::Time};
 
 Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   const auto rows = value.elements(
@@ -138,68 +135,6 @@ Key<S> spinKey(physics::SpinKind kind, KeyText documentation) {
           }};
 }
 
-const Keys<Expectation>& windowedBoundKeys() {
-  static const Keys<Expectation> keys{
-      key("min", &Expectation::min, number(kNumber)),
-      key("max", &Expectation::max, number(kNumber)),
-      key("rises_to", &Expectation::risesTo, number(kNumber)),
-      key("falls_to", &Expectation::fallsTo, number(kNumber)),
-      key("from", &Expectation::from, number(kWindowTimes)),
-      {"to",
-       [](const ValueReader& value, Expectation& bounds) {
-         bounds.to = value.number(kWindowTimes);
-       },
-       // A window without an end prints no `to`.
-       [](const Expectation& bounds) {
-         return std::isfinite(bounds.to) ? tomlNumber(bounds.to) : "";
-       },
-       {}},
-  };
-  return keys;
-}
-
-void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,
-                std::string_view highKey, double high) {
-  if (low <= high) return;
-  bounds.find(lowKey)->mismatch("at most " + std::string(highKey) + ", " + tomlNumber(high));
-}
-
-Expectation expectationFrom(Measure measure, const ValueReader& bounds) {
-  Expectation expectation;
-  expectation.measure = measure;
-  readKeys(bounds, windowedBoundKeys(), expectation);
-  if (!expectation.min && !expectation.max && !expectation.risesTo && !expectation.fallsTo) {
-    bounds.fail(bounds.name() + " needs at least one of min, max, rises_to and falls_to");
-  }
-  if (expectation.min && expectation.max) {
-    checkOrder(bounds, "min", *expectation.min, "max", *expectation.max);
-  }
-  checkOrder(bounds, "from", expectation.from, "to", expectation.to);
-  return expectation;
-}
-
-/// Returns the one key that holds all bounds on a quantity.
-Key<std::vector<Expectation>> measureKey(Measure measure) {
-  return {nameOf(measure),
-          [measure](const ValueReader& value, std::vector<Expectation>& expectations) {
-            readEach(value.tables(kExpectedBounds), [&](const ValueReader& bounds) {
-              expectations.push_back(expectationFrom(measure, bounds));
-            });
-          },
-          [measure](const std::vector<Expectation>& expectations) {
-            std::vector<std::string> bounds;
-            for (const Expectation& expectation : expectations) {
-              if (expectation.measure != measure) continue;
-              bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
-            }
-            return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
-          },
-          {.meaning = std::string(rowOf(measure).meaning),
-           .byDefault = "none",
-           .allowed = kExpectedBounds,
-           .affects = Affects::Text}};
-}
-
 std::string labelFrom(const ValueReader& value) {
   std::string label = value.text(kLongestLabel);
   if (label.empty()) value.mismatch("a string that isn't empty");
@@ -261,15 +196,6 @@ const Keys<physics::Nudge>& nudgeKeys() {
       key("axes", &physics::Nudge::axes, oneOf(kNudgeAxes),
           {.meaning = "the axes that it is along, at that moment", .models = kOfComputed}),
   };
-  return keys;
-}
-
-const Keys<std::vector<Expectation>>& expectKeys() {
-  static const auto keys = [] {
-    Keys<std::vector<Expectation>> all;
-    for (const Measure measure : measuresOfMotions()) all.push_back(measureKey(measure));
-    return all;
-  }();
   return keys;
 }
 

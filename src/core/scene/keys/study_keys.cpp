@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -99,27 +100,6 @@ std::string flipLawText(const Scene& scene) {
 }
 
 }  // namespace
-
-const Keys<Bounds>& boundKeys() {
-  static const Keys<Bounds> keys{
-      key("min", &Bounds::min, number(kNumber)),
-      key("max", &Bounds::max, number(kNumber)),
-  };
-  return keys;
-}
-
-void checkBounds(const ValueReader& value, const Bounds& bounds) {
-  if (!bounds.min && !bounds.max) value.fail(value.name() + " needs min, max or both");
-  if (bounds.min && bounds.max && *bounds.min > *bounds.max) {
-    value.find("min")->mismatch("at most max, " + tomlNumber(*bounds.max));
-  }
-}
-
-std::vector<Field> boundFields(Bounds& bounds) {
-  return fieldsOf(boundKeys(), [&bounds](const Key<Bounds>& key, const ValueReader& value) {
-    key.read(value, bounds);
-  });
-}
 
 const Keys<Scene>& samplingKeys() {
   const auto ofStudy = [](auto part) {

@@ -1,10 +1,15 @@
-#include "scene/grid_settings.h"
+#include "scene/axis.h"
 
 #include <algorithm>
 
 #include "scene/key_rows.h"
 
 namespace rotatebook::scene {
+
+bool Axis::hasNumbers() const {
+  return std::ranges::all_of(values,
+                             [](const AxisValue& value) { return value.number.has_value(); });
+}
 
 std::string keyWithUnit(const std::string& key) {
   const KeyRow* row = findKey(key);
@@ -16,14 +21,9 @@ std::string keyWithUnit(const std::string& key) {
   return key + (unit.empty() ? "" : "  [" + unit + "]");
 }
 
-std::string nameOf(const SweepKey& axis) {
-  const bool areNumbers = std::ranges::all_of(
-      axis.values, [](const SweepValue& value) { return value.number.has_value(); });
-  return areNumbers ? keyWithUnit(axis.key) : axis.key;
-}
-
-std::string nameOf(const GridAxis& axis) {
-  return axis.label.empty() ? nameOf(static_cast<const SweepKey&>(axis)) : axis.label;
+std::string nameOf(const Axis& axis) {
+  if (!axis.label.empty()) return axis.label;
+  return axis.hasNumbers() ? keyWithUnit(axis.key) : axis.key;
 }
 
 }  // namespace rotatebook::scene

@@ -1,0 +1,215 @@
+#include "scene/keys/axis_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "base/number_text.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::kNumber;
+using document::TomlNode;
+
+constexpr const char* kExpectedValues = "a list such as [10, 100, 1000]";
+constexpr const char* kExpectedLabelled = "a table such as { label = \"x\", value = [4, 0, 0] }";
+
+constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
+                                                     {"spin.longitude", AxisKind::SpinLongitude},
+                                                     {"spin.latitude", AxisKind::SpinLatitude},
+                                                     {"moments.smallest", AxisKind::SmallestMoment},
+                                                     {"moments.middle", AxisKind::MiddleMoment}}};
+
+/// Keys of an axis that is a range.
+const Keys<Axis>& rangeKeys() {
+  static const Keys<Axis> keys{
+      key("key", &Axis::key, text(kLongestPath)),
+      key("from", &Axis::from, number(kNumber)),
+      key("to", &Axis::to, number(kNumber)),
+      key("scale", &Axis::scale, oneOf(kScales)),
+      {"label",
+       [](const ValueReader& value, Axis& axis) { axis.label = value.text(kLongestLabel); },
+       [](const Axis& axis) { return axis.label.empty() ? "" : tomlString(axis.label); },
+       {}},
+  };
+  return keys;
+}
+
+void checkRange(const ValueReader& table, const Axis& axis) {
+  if (!(axis.from < axis.to)) {
+    table.find("from")->fail(table.name() + " runs from " + tomlNumber(axis.from) + " to " +
+                             tomlNumber(axis.to) + "; from must be less than to");
+  }
+  if (axis.scale == Scale::Logarithmic && !(axis.from > 0)) {
+    table.find("from")->fail(table.name() + " is logarithmic, which needs from over 0, not " +
+                             tomlNumber(axis.from));
+  }
+}
+
+/// Returns a number that is short to write, near `value`.
+double rounded(double value) {
+  constexpr int kDigits = 6;
+  const std::string text = roundedText(value, kDigits);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Returns the values of a range; those between its ends are short to write.
+std::vector<TomlNode> nodesOf(const ValueReader& table, const Axis& range, int count) {
+  const TomlNode &from = table.find("from")->node(), &to = table.find("to")->node();
+  const bool isWhole = std::holds_alternative<std::int64_t>(from.value) &&
+                       std::holds_alternative<std::int64_t>(to.value);
+  std::vector<TomlNode> nodes{from};
+  for (int i = 1; i < count - 1; ++i) {
+    const double share = static_cast<double>(i) / (count - 1);
+    const double value = numberWithin(range.from, range.to, share, range.scale);
+    TomlNode node{rounded(value), table.node().location};
+    if (isWhole) node.value = static_cast<std::int64_t>(std::round(value));
+    nodes.push_back(node);
+  }
+  nodes.push_back(to);
+  return nodes;
+}
+
+StatedValue labelled(const ValueReader& table) {
+  StatedValue stated;
+  table.readTable(
+      {{"label", [&](const ValueReader& label) { stated.value.label = labelOf(label); }},
+       {"value", [&](const ValueReader& value) { stated.node = value.node(); }}});
+  if (!table.find("label") || !table.find("value")) table.mismatch(kExpectedLabelled);
+  stated.value.toml =
+      "{ label = " + tomlString(stated.value.label) + ", value = " + tomlText(stated.node) + " }";
+  return stated;
+}
+
+StatedValue statedValue(const ValueReader& value) {
+  const TomlNode& node = value.node();
+  if (std::holds_alternative<TomlNode::Table>(node.value)) return labelled(value);
+  StatedValue stated{{tomlText(node), labelOf(value), std::nullopt}, node};
+  if (const auto* whole = std::get_if<std::int64_t>(&node.value)) {
+    stated.value.number = static_cast<double>(*whole);
+  } else if (const auto* real = std::get_if<double>(&node.value)) {
+    stated.value.number = *real;
+  }
+  return stated;
+}
+
+/// An axis as a table states it, and its values.
+struct StatedAxis {
+  Axis axis{};
+  std::vector<StatedValue> values{};
+};
+
+/// Returns the values that `elements` state; `hint` follows the message about one that is twice.
+std::vector<StatedValue> valuesOf(const std::vector<ValueReader>& elements, const std::string& name,
+                                  const char* hint) {
+  std::vector<StatedValue> values;
+  readEach(elements, [&](const ValueReader& element) {
+    StatedValue one = statedValue(element);
+    const auto isIt = [&](const StatedValue& other) {
+      return other.value.label == one.value.label;
+    };
+    if (std::ranges::any_of(values, isIt)) {
+      element.fail(name + " has " + one.value.label + " twice" + hint);
+    }
+    values.push_back(std::move(one));
+  });
+  return values;
+}
+
+StatedAxis statedAxis(const ValueReader& table) {
+  StatedAxis stated;
+  int count = 0;
+  std::vector<Field> fields = fieldsOf(
+      rangeKeys(),
+      [&](const Key<Axis>& key, const ValueReader& value) { key.read(value, stated.axis); });
+  fields.push_back({"values", [](const ValueReader&) {}});
+  fields.push_back({"count", [&](const ValueReader& value) {
+                      count = value.integer(2, static_cast<int>(kMaxRuns));
+                    }});
+  table.readTable(fields);
+  requireKeys(table, {"key"});
+  const auto list = table.find("values"), from = table.find("from"), to = table.find("to");
+  const bool isRange = from && to && count > 0;
+  if (list ? from || to || count > 0 || table.find("scale") : !isRange) {
+    table.fail(table.name() + " needs either values, or from, to and count");
+  }
+  if (list) {
+    stated.values = valuesOf(list->list(kExpectedValues), list->name(), "");
+    return stated;
+  }
+  checkRange(table, stated.axis);
+  const std::vector<TomlNode> nodes = nodesOf(table, stated.axis, count);
+  std::vector<ValueReader> elements;
+  for (const TomlNode& node : nodes) elements.emplace_back(node, table.name());
+  stated.values =
+      valuesOf(elements, table.name(), "; between whole numbers all are whole: lower count");
+  return stated;
+}
+
+Axis valueAxisFrom(const ValueReader& table) {
+  const StatedAxis stated = statedAxis(table);
+  Axis axis{.key = stated.axis.key, .label = stated.axis.label};
+  for (const StatedValue& one : stated.values) axis.values.push_back(one.value);
+  return axis;
+}
+
+std::string valueAxisText(const Axis& axis) {
+  return "{ key = " + tomlString(axis.key) +
+         ", values = " + listText(axis.values, [](const AxisValue& value) { return value.toml; }) +
+         (axis.label.empty() ? "" : ", label = " + tomlString(axis.label)) + " }";
+}
+
+Axis pixelAxisFrom(const ValueReader& table) {
+  Axis axis;
+  readKeys(table, rangeKeys(), axis);
+  requireKeys(table, {"key", "from", "to"});
+  const auto special = std::ranges::find(kAxisKinds, axis.key, &Named<AxisKind>::name);
+  if (special != kAxisKinds.end()) axis.kind = special->value;
+  checkRange(table, axis);
+  return axis;
+}
+
+}  // namespace
+
+Kind<Axis> valueAxis() {
+  return {valueAxisFrom, valueAxisText,
+          "a table such as { key = \"simulation.substeps\", values = [1, 10, 100] }"};
+}
+
+Kind<Axis> pixelAxis() {
+  return {pixelAxisFrom, [](const Axis& axis) { return inlineTable(rangeKeys(), axis); },
+          "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }"};
+}
+
+std::vector<StatedValue> statedValues(const ValueReader& axis) {
+  return statedAxis(axis).values;
+}
+
+std::string labelOf(const ValueReader& value) {
+  const auto& node = value.node().value;
+  if (const auto* whole = std::get_if<std::int64_t>(&node)) return std::to_string(*whole);
+  if (const auto* real = std::get_if<double>(&node)) return shortestText(*real);
+  if (const bool* flag = std::get_if<bool>(&node)) return *flag ? "true" : "false";
+  if (!std::holds_alternative<std::string>(node)) {
+    value.mismatch(std::string("a number, a word, or ") + kExpectedLabelled);
+  }
+  std::string label = value.text(kLongestLabel);
+  if (label.empty()) value.mismatch("a word");
+  return label;
+}
+
+void requireKeys(const ValueReader& table, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    if (!table.find(key)) table.fail(table.name() + " needs " + key);
+  }
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,34 @@
+// Reads and prints axes of variation. Inside the room only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "document/toml_tree.h"
+#include "scene/axis.h"
+#include "scene/keys/key.h"
+
+namespace rotatebook::scene {
+
+/// Axes of values, of [grid] and [study], as a list or as a range with its count.
+Kind<Axis> valueAxis();
+/// Axes of [map], whose range has a value for each pixel.
+Kind<Axis> pixelAxis();
+
+/// A value, and the node that takes the place of the key's own.
+struct StatedValue {
+  AxisValue value;
+  document::TomlNode node;
+};
+
+/// Reads the values of an axis: numbers, words and tables of a label and any value; or a range of
+/// numbers, which are whole if both of its ends are. Throws InputError.
+std::vector<StatedValue> statedValues(const ValueReader& axis);
+
+/// Returns the label of a number, a word, or true or false. Throws InputError.
+std::string labelOf(const ValueReader& value);
+
+/// Throws InputError unless `table` has all of the keys.
+void requireKeys(const ValueReader& table, std::initializer_list<const char*> keys);
+
+}  // namespace rotatebook::scene

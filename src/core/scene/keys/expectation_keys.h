@@ -1,0 +1,52 @@
+// Reads and prints expectations: of [expect], and of [grid] and [study], where they may be of some
+// values of the axes. Inside the room only.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/axis.h"
+#include "scene/expectation.h"
+#include "scene/keys/key.h"
+
+namespace rotatebook::scene {
+
+/// One key for each quantity, in the order of the enumeration.
+const Keys<std::vector<Expectation>>& expectKeys();
+
+/// Returns the measure of motions that a value names. Throws InputError.
+Measure motionMeasureFrom(const ValueReader& value);
+
+/// The keys of a place on an axis, "column", and of the axis itself, "columns".
+struct PlaceKeys {
+  const char* place;
+  const char* axis;
+};
+
+/// The expectations of a section whose axes are two.
+struct PlacedExpectations {
+  std::array<PlaceKeys, 2> keys;
+  bool haveWindows;      ///< Whether a window and what is reached in it may be stated, too.
+  const char* expected;  ///< In messages: "tables such as ...".
+
+  Kind<std::vector<Expectation>> kind() const;
+  /// Throws InputError if any of the section's is of no value of the axes, which may be null.
+  void check(const ValueReader& section, const std::array<const Axis*, 2>& axes) const;
+};
+
+inline constexpr PlacedExpectations kGridExpectations{
+    {{{"column", "columns"}, {"row", "rows"}}},
+    true,
+    "tables such as { of = \"half_turns\", column = 10, min = 3 }"};
+inline constexpr PlacedExpectations kStudyExpectations{
+    {{{"x", "x"}, {"curve", "curves"}}},
+    false,
+    "tables such as { of = \"diverges_at\", x = 10, min = 20 }"};
+
+/// Keys of bounds on a number.
+const Keys<Bounds>& boundKeys();
+/// Throws InputError if `bounds`, read from `value`, are none, or in the wrong order.
+void checkBounds(const ValueReader& value, const Bounds& bounds);
+
+}  // namespace rotatebook::scene

@@ -271,7 +271,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
   command->footer(R"(
 Runs each integrator with each number of substeps that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
-with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
+with study.x, the scene runs with each value of that axis, and what study.measure lists is measured.
 Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), the plot as DIR/NAME-study.png,
 .svg and .pdf, and DIR/NAME-study.json.
 

@@ -140,13 +140,14 @@ TEST(SweepSection, NamesTheKeyThatIsNone) {
 
 TEST(SweepSection, NamesTheValueThatIsWrong) {
   EXPECT_EQ(errorOfSweep("values = [10, 0]"),
-            "a.toml:3:45: simulation.substeps must be an integer from 1 to 1000000, not 0");
-  EXPECT_EQ(errorOfSweep("values = [10, 10]"), "a.toml:3:45: study.x.values has 10 twice");
+            "a.toml:3:50: simulation.substeps must be an integer from 1 to 1000000, not 0");
+  EXPECT_EQ(errorOfSweep("values = [10, 10]"), "a.toml:3:50: study.x.values has 10 twice");
   EXPECT_THAT(errorOfSweep("from = 0, to = 9, count = 3, scale = 'log'"),
-              HasSubstr("needs from and to over 0"));
+              HasSubstr("is logarithmic, which needs from over 0, not 0.0"));
   EXPECT_THAT(errorOfSweep("from = 1, to = 3, count = 9"),
               HasSubstr("has 1 twice; between whole numbers all are whole: lower count"));
-  EXPECT_THAT(errorOfSweep("from = 1, count = 9"), HasSubstr("needs from, to and count"));
+  EXPECT_THAT(errorOfSweep("from = 1, count = 9"),
+              HasSubstr("needs either values, or from, to and count"));
   EXPECT_THAT(errorOfSweep("values = [[1, 2]]"), HasSubstr("must be a number, a word, or a table"));
   EXPECT_THAT(errorOfSweep("values = [{ label = '', value = 1 }]"), HasSubstr("must be a word"));
 }

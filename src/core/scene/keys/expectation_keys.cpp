@@ -151,8 +151,12 @@ Kind<std::vector<Expectation>> PlacedExpectations::kind() const {
 void PlacedExpectations::check(const ValueReader& section,
                                const std::array<const Axis*, 2>& axes) const {
   const auto value = section.find("expect");
-  if (!value) return;
-  for (const ValueReader& table : value->tables("")) {
+  const auto isNone = [](const document::TomlNode& node) {
+    const auto* array = std::get_if<document::TomlNode::Array>(&node.value);
+    return array != nullptr && array->empty();
+  };
+  if (!value || isNone(value->node())) return;
+  for (const ValueReader& table : value->tables(expected)) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const auto place = table.find(keys[i].place);
       if (!place) continue;

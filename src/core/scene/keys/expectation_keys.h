@@ -27,7 +27,7 @@ struct PlaceKeys {
 /// The expectations of a section whose axes are two.
 struct PlacedExpectations {
   std::array<PlaceKeys, 2> keys;
-  bool haveWindows;      ///< Whether a window and what is reached in it may be stated, too.
+  bool haveWindows;      ///< A window and what is reached in it may be stated, too.
   const char* expected;  ///< In messages: "tables such as ...".
 
   Kind<std::vector<Expectation>> kind() const;

@@ -34,14 +34,6 @@ TEST(NearestName, TakesTheNearestOfSeveral) {
   EXPECT_EQ(nearestName("fas", kSimilar), "fast");
 }
 
-TEST(NearestName, CompletesAWord) {
-  constexpr std::array<std::string_view, 4> kOptions{"--set", "--output", "--frames", "--fractions"};
-  EXPECT_EQ(nearestName("--out", kOptions), "--output");
-  EXPECT_EQ(nearestName("--FR", kOptions), std::nullopt) << "two of them";
-  EXPECT_EQ(nearestName("--s", kOptions), "--set") << "by distance";
-  EXPECT_EQ(nearest("stif"), "stiffness");
-}
-
 TEST(NearestName, IgnoresCase) {
   EXPECT_EQ(nearest("X"), "x");
   EXPECT_EQ(nearest("SUBSTEPS"), "substeps");

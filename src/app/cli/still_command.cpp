@@ -33,7 +33,7 @@ struct StillArguments {
   bool noCaption = false;
   std::string output;
 
-  /// Whether there are several pictures, which lie side by side.
+  /// Several pictures are asked for, side by side.
   bool isSheet() const { return count || !sheet.times.empty() || scenes.size() > 1; }
 };
 

@@ -137,7 +137,8 @@ TEST_F(SameNames, OfAStillAndAMap) {
   const std::string map = read("m.png");
   const ChildResult still = run({"still", "m.toml"});
   EXPECT_EQ(still.status, 2);
-  EXPECT_THAT(still.error, HasSubstr("m.png belongs to the map m, and the picture would replace it"));
+  EXPECT_THAT(still.error,
+              HasSubstr("m.png belongs to the map m, and the picture would replace it"));
   EXPECT_TRUE(read("m.png") == map);
 }
 

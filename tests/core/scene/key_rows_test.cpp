@@ -1,6 +1,7 @@
 #include "scene/key_rows.h"
 
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -21,6 +22,7 @@ bool isOfExpect(const KeyRow& row) {
   return row.name.starts_with("expect.");
 }
 
+/// The rows of docs/tables/keys.md, whose links lead out of its folder.
 std::string keyTable() {
   std::string table;
   for (const KeyRow& row : allKeys()) {
@@ -28,7 +30,8 @@ std::string keyTable() {
     table += "| `" + row.name + "` | " + row.byDefault + " | " + row.allowed + " | " + row.meaning +
              " |\n";
   }
-  return table;
+  table = std::regex_replace(table, std::regex(R"(\]\((?=[a-z-]+\.md))"), "](../");
+  return std::regex_replace(table, std::regex(R"(\]\(#)"), "](../scene.md#");
 }
 
 std::string quantityTable() {
@@ -40,9 +43,10 @@ std::string quantityTable() {
   return table;
 }
 
-/// The rows of the tables in docs/scene.md below the heading `from` and above the heading `to`.
-std::string documentedRows(const std::string& from, const std::string& to) {
-  std::ifstream page(std::string(ROTATEBOOK_SOURCE) + "/docs/scene.md");
+/// The rows of the tables in a page below the heading `from` and above the heading `to`.
+std::string documentedRows(const std::string& name, const std::string& from,
+                           const std::string& to) {
+  std::ifstream page(std::string(ROTATEBOOK_SOURCE) + "/docs/" + name);
   std::string line, rows;
   while (std::getline(page, line) && line != from) continue;
   while (std::getline(page, line) && line != to) {
@@ -67,17 +71,17 @@ TEST(FuzzDictionary, HasTheWordsOfAScene) {
 }
 
 TEST(KeyRows, AreTheTablesOfTheDocumentation) {
-  EXPECT_EQ(documentedRows("## Keys", "## Expectations"), keyTable())
-      << "The rows in docs/scene.md, under as many headings as you like, are to be:\n\n"
+  EXPECT_EQ(documentedRows("tables/keys.md", "# Keys", ""), keyTable())
+      << "The rows in docs/tables/keys.md, under as many headings as you like, are to be:\n\n"
       << keyTable();
-  EXPECT_EQ(documentedRows("## Expectations", "## Limits"), quantityTable())
+  EXPECT_EQ(documentedRows("scene.md", "## Expectations", "## Limits"), quantityTable())
       << "The rows in docs/scene.md are to be:\n\n"
       << quantityTable();
 }
 
 TEST(KeyRows, AreReadFromTheDocumentation) {
-  EXPECT_THAT(documentedRows("## Keys", "## Expectations"), HasSubstr("| `body.mass` | `1.0` |"));
-  EXPECT_EQ(documentedRows("## No such heading", "## Limits"), "");
+  EXPECT_THAT(documentedRows("tables/keys.md", "# Keys", ""), HasSubstr("| `body.mass` | `1.0` |"));
+  EXPECT_EQ(documentedRows("scene.md", "## No such heading", "## Limits"), "");
 }
 
 TEST(KeyRows, AreInWordsAndEachKeyOnce) {

@@ -281,7 +281,7 @@ class ShownCommands : public ProgramTest {
     for (const std::string& line : block.lines) text += line + '\n';
     const bool isRecorded = text.find("\"recorded\"") != std::string::npos;
     if (!isRecorded && text.find("[initial]") == std::string::npos) {
-      text += "[initial]\nangular_velocity = [5.0, 0.0, 0.0]\n";
+      text += "[initial]\nangular_velocity = [5.0, 0.0, 0.0]\ntilt = [0.01, \"z\"]\n";
     }
     write("block.toml", text);
     if (runInShell("rotatebook check block.toml") != 0) problems.push_back(text + read("log.txt"));

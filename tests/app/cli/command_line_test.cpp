@@ -175,7 +175,7 @@ INSTANTIATE_TEST_SUITE_P(
                     " of render: -size; did you mean \"--size\"?"},
         WrongOption{"RatherThanAMissingOne",
                     {"still", "tiny.toml", "--ouput", "x.png", "--count", "2"},
-                    " of sheet: --ouput; did you mean \"--output\"?"},
+                    " of still: --ouput; did you mean \"--output\"?"},
         WrongOption{"OfAnotherCommand",
                     {"still", "tiny.toml", "--no-png"},
                     " of still: --no-png; it is an option of render"},
@@ -221,9 +221,9 @@ TEST_F(CommandLine, HintsAtAFileThatIsTakenForAnOption) {
 TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
   const std::string advice = " --help' for more information.\n";
   expectRefused({"render"}, "rotatebook: SCENE is required\nRun 'rotatebook render" + advice);
-  expectRefused({"still", "tiny.toml", "b.toml"},
-                "rotatebook: unexpected argument: b.toml\n"
-                "Run 'rotatebook still" +
+  expectRefused({"toss", "tiny.csv", "b.csv"},
+                "rotatebook: unexpected argument: b.csv\n"
+                "Run 'rotatebook toss" +
                     advice);
   expectRefused({"doctor", "x"},
                 "rotatebook: unexpected argument: x\n"

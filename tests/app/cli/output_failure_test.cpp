@@ -130,16 +130,17 @@ TEST_F(OutputFailure, ClipThatMayNotBeRemoved) {
   EXPECT_TRUE(read("out/tiny.mp4") == video);
 }
 
-TEST_F(OutputFailure, IsNoFileThatMayNotBeRead) {
+TEST_F(OutputFailure, KeepsAFileThatMayNotBeReadButToOverwrite) {
   ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
   ChildSettings settings;
   settings.obeysPermissions = true;
-  for (const char* flag : {"--overwrite", "--resume"}) {
-    fs::permissions(folder() / "out/tiny.csv", fs::perms::owner_write);
-    const ChildResult result = run({"render", "tiny.toml", flag}, settings);
-    EXPECT_EQ(result.status, 0) << result.error;
-    EXPECT_THAT(result.error, HasSubstr("replaced out/tiny.csv (with unknown settings)\n"));
-  }
+  fs::permissions(folder() / "out/tiny.csv", fs::perms::owner_write);
+  const ChildResult kept = run({"render", "tiny.toml", "--resume"}, settings);
+  EXPECT_EQ(kept.status, 3);
+  EXPECT_EQ(kept.error, "rotatebook: can't read out/tiny.csv: Permission denied\n");
+  const ChildResult replaced = run({"render", "tiny.toml", "--overwrite"}, settings);
+  EXPECT_EQ(replaced.status, 0) << replaced.error;
+  EXPECT_THAT(replaced.error, HasSubstr("replaced out/tiny.csv (with unknown settings)\n"));
   EXPECT_THAT(read("out/tiny.csv"), StartsWith("frame,"));
 }
 
@@ -240,9 +241,9 @@ TEST_F(OutputFailure, FullDiskForTheTable) {
 }
 
 TEST_F(OutputFailure, FullDiskKeepsTheOlderFile) {
-  write("x.csv", "older");
+  write("x.csv", "frame,time_s,qw,qx,qy,qz,wx,wy,wz,\n");
   EXPECT_EQ(runOnFullDisk({"simulate", "tiny.toml", "--csv", "x.csv"}, kLessThanATable).status, 3);
-  EXPECT_EQ(read("x.csv"), "older");
+  EXPECT_EQ(read("x.csv"), "frame,time_s,qw,qx,qy,qz,wx,wy,wz,\n");
 }
 
 TEST_F(OutputFailure, FullDiskForAssembleAndStill) {

@@ -30,7 +30,7 @@ scene::Scene filmScene(const std::vector<std::string>& overrides = {}) {
       "[initial]\nangular_velocity = [8, 0, 0]\ntilt = [0.01, 'z']\n[clip]\nfps = 10\n[map]\n"
       "x = { key = 'simulation.substeps', from = 1, to = 9 }\n"
       "y = { key = 'initial.tilt.0', from = 1e-4, to = 1, scale = 'log' }\n"
-      "measure = 'half_turns'\nduration = 1\nsize = [16, 12]\ncolours = { from = 0, to = 5 }\n"
+      "measure = 'half_turns'\nduration = 1\nsize = [16, 12]\ncolors = { from = 0, to = 5 }\n"
       "film = { y = [0.1, 0.15], duration = 0.6 }\n",
       "small.toml", overrides);
 }

@@ -65,8 +65,7 @@ film = { x = [0, 0.5], duration = 0.1 }
 )";
 
 constexpr const char* kStudy = R"([study]
-integrators = ["rk4", "dmv6"]
-steps = [1, 2, 4]
+x = { key = "simulation.substeps", values = [1, 2, 4] }
 )";
 
 /// Later figures are left out of the folder, which saves half of the time, but for those that the

@@ -20,7 +20,6 @@
 #include "scene/scene_text.h"
 #include "study/study.h"
 #include "study/study_csv.h"
-#include "study/sweep.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
 #include "timeline/trajectory_csv.h"
@@ -44,15 +43,7 @@ scene::Scene readScene(const fs::path& file) {
 // A blank and the checksum of the study's tables, empty where the scene has none.
 std::string studyChecksum(const scene::Scene& scene) {
   if (!scene.study) return "";
-  if (scene.study->sweep) {
-    const auto sweep = study::runSweep(scene, *scene.study, {}).value();
-    return " " + checksumOf(study::sweepCsv(sweep, *scene.study->sweep));
-  }
-  if (scene.study->isOfTilts()) {
-    return " " + checksumOf(study::tiltCsv(study::runTiltStudy(scene, *scene.study, {}).value()));
-  }
-  const auto precision = study::runPrecisionStudy(scene, *scene.study, {}).value();
-  return " " + checksumOf(study::precisionCsv(precision) + study::ordersCsv(precision));
+  return " " + checksumOf(studyCsv(study::runStudy(scene, {}).value(), *scene.study));
 }
 
 std::string rowOf(const fs::path& file) {

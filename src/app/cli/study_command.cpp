@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -23,12 +24,12 @@
 #include "document/toml_text.h"
 #include "plot/study_plots.h"
 #include "report/study_report.h"
+#include "scene/source_locations.h"
 #include "store/fingerprint.h"
 #include "store/result_owners.h"
 #include "store/study_files.h"
 #include "study/study.h"
 #include "study/study_csv.h"
-#include "study/sweep.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -43,14 +44,23 @@ struct StudyArguments {
   bool json = false;
 };
 
-/// A scene, what is studied of it, and the files of the results.
+/// A scene, which has a study, and the files of the results.
 struct Task {
   scene::Scene scene;
-  scene::StudySettings study;
   store::StudyFiles files;
 };
 
 using report::StudiedScene;
+
+std::vector<std::string> itemsOf(const std::string& list) {
+  std::vector<std::string> items;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    items.push_back(list.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return items;
+}
 
 Shorthand stepsShorthand(const std::string& steps) {
   static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
@@ -58,43 +68,58 @@ Shorthand stepsShorthand(const std::string& steps) {
     throw InputError("--steps " + steps +
                      ": not a list of whole numbers; write substeps, for example 1,2,4,8");
   }
-  return {"--steps " + steps, "study.steps=[" + steps + "]"};
+  return {"--steps " + steps,
+          "study.x={ key = \"simulation.substeps\", values = [" + steps + "] }"};
 }
 
 Shorthand integratorsShorthand(const std::string& integrators) {
   std::vector<std::string> names;
-  for (std::size_t begin = 0; begin <= integrators.size();) {
-    const std::size_t end = std::min(integrators.find(',', begin), integrators.size());
-    names.push_back(document::tomlString(integrators.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return {"--integrators " + integrators, "study.integrators=[" + joined(names) + "]"};
+  for (const std::string& name : itemsOf(integrators)) names.push_back(document::tomlString(name));
+  return {"--integrators " + integrators,
+          "study.curves={ key = \"simulation.integrator\", values = [" + joined(names) + "] }"};
 }
 
+/// Returns what the options set. Of other runs than the scene's nothing is expected, unless --set
+/// says what.
 std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
   std::vector<Shorthand> shorthands;
   if (arguments.steps) shorthands.push_back(stepsShorthand(*arguments.steps));
   if (arguments.integrators) shorthands.push_back(integratorsShorthand(*arguments.integrators));
+  const bool expects =
+      std::ranges::any_of(arguments.sceneOptions.overrides,
+                          [](const std::string& text) { return text.starts_with("study.expect"); });
+  if (!shorthands.empty() && !expects)
+    shorthands.push_back({shorthands.front().option, "study.expect=[]"});
   return shorthands;
+}
+
+/// Reads a scene; one without a study gets that of the orders of all its integrators.
+scene::Scene readStudied(const std::string& path, const StudyArguments& arguments) {
+  std::vector<Shorthand> shorthands = shorthandsOf(arguments);
+  scene::Scene scene = arguments.sceneOptions.read(path, shorthands);
+  if (scene.study) return scene;
+  if (!scene.panels.empty()) {
+    throw InputError(
+        scene::locationOf(scene, "panel") +
+        ": a study needs a single motion, but this scene has several, panels or a grid");
+  }
+  shorthands.push_back({"study " + path, "study={}"});
+  return arguments.sceneOptions.read(path, shorthands);
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<Task> readTasks(const StudyArguments& arguments) {
-  const std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
-    scenes.push_back(arguments.sceneOptions.read(path, shorthands));
+    scenes.push_back(readStudied(path, arguments));
     std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
   std::vector<Task> tasks;
   for (const scene::Scene& scene : scenes) {
-    tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
-                     store::studyFiles(arguments.folder, scene.name)});
-    const scene::StudySettings& settings = tasks.back().study;
-    plot::requireStudyLetters(scene, settings);
-    if (!settings.isOfTilts() && !settings.sweep) study::requireStudyable(scene, settings);
+    tasks.push_back({scene, store::studyFiles(arguments.folder, scene.name)});
+    plot::requireStudyLetters(scene);
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
@@ -105,43 +130,16 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
   return tasks;
 }
 
-void refuseNoResult(const Task& task, const study::PrecisionStudy& result) {
-  const bool any = std::ranges::any_of(result.rows, [](const study::PrecisionRow& row) {
-    return row.end.kind == study::RunEnd::Kind::Whole;
+/// Throws InputError if there is nothing to plot. Runs that end early are results of some measures.
+void refuseNoResult(const Task& task, const study::Study& result) {
+  const bool any = std::ranges::any_of(result.rows, [](const study::StudyRow& row) {
+    return std::ranges::any_of(row.measured, [](double value) { return !std::isnan(value); });
   });
   if (any) return;
   throw InputError(task.scene.name + ": no run reached its end (" + task.files.csv.string() +
                    " says why), so that there is nothing to compare; the first: " +
                    result.rows.front().end.text() +
                    "; take shorter steps, for example --steps 256,512,1024,2048");
-}
-
-void refuseNoResult(const Task& task, const study::TiltStudy& result) {
-  const bool any = std::ranges::any_of(result.rows, [](const study::TiltRow& row) {
-    return row.end.kind == study::RunEnd::Kind::Whole;
-  });
-  if (any) return;
-  throw InputError(task.scene.name + ": no run shows two flips (" + task.files.csv.string() +
-                   " says why), so that there is no interval to measure; make the motion longer, "
-                   "for example --set clip.duration=60");
-}
-
-// Runs that end early are results of a sweep.
-void refuseNoResult(const Task&, const study::SweepStudy&) {}
-
-/// The paths of a study's tables, and what is in them.
-using Tables = std::vector<std::pair<std::filesystem::path, std::string>>;
-
-Tables tablesOf(const Task& task, const study::PrecisionStudy& result) {
-  return {{task.files.csv, precisionCsv(result)}, {task.files.orders, ordersCsv(result)}};
-}
-
-Tables tablesOf(const Task& task, const study::TiltStudy& result) {
-  return {{task.files.csv, tiltCsv(result)}};
-}
-
-Tables tablesOf(const Task& task, const study::SweepStudy& result) {
-  return {{task.files.csv, sweepCsv(result, *task.study.sweep)}};
 }
 
 /// Returns `studied` with the names of its files alone, so that a folder can be moved, and that the
@@ -154,17 +152,14 @@ StudiedScene besideItsFiles(StudiedScene studied) {
 }
 
 /// Writes and reports the results, which `studied` then holds.
-template <typename Study>
-int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
+int finish(const Task& task, const study::Study& result, StudiedScene& studied, std::ostream& out) {
   store::removeFiles(allOf(task.files));
-  for (const auto& [path, text] : tablesOf(task, result)) {
-    system::writeFileAtomically(path, text);
-    studied.files.push_back(path.string());
-  }
+  system::writeFileAtomically(task.files.csv, studyCsv(result, *task.scene.study));
+  studied.files.push_back(task.files.csv.string());
   studied.result = result;
   refuseNoResult(task, result);
-  const int status = statusOf(report::reportStudy(result, task.study, out));
-  plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
+  const int status = statusOf(report::reportStudy(result, *task.scene.study, out));
+  plot::writeStudyPlot(result, task.scene, task.files.plots);
   for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   studied.files.push_back(task.files.json.string());
   system::writeFileAtomically(task.files.json, report::studyJson(besideItsFiles(studied)) + '\n');
@@ -172,25 +167,12 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   return status;
 }
 
-template <typename Study>
-using StudyFunction = std::optional<Study> (*)(const scene::Scene&, const scene::StudySettings&,
-                                               const study::Execution&);
-
-template <typename Study>
-int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<bool>& stop,
-                 StudiedScene& studied, std::ostream& out) {
-  std::optional<Study> result;
-  {
-    ProgressLine progress(task.scene.name, "runs");
-    system::RunOptions options;
-    options.stop = &stop;
-    options.progress = progress.updater();
-    result = run(task.scene, task.study, diagnose::onThisMachine(options));
-  }
-  if (result) return finish(task, *result, studied, out);
-  out << "  interrupted; nothing was written" << std::endl;
-  studied.interrupted = true;
-  return interruptStatus();
+std::optional<study::Study> run(const scene::Scene& scene, const std::atomic<bool>& stop) {
+  ProgressLine progress(scene.name, "runs");
+  system::RunOptions options;
+  options.stop = &stop;
+  options.progress = progress.updater();
+  return runStudy(scene, diagnose::onThisMachine(options));
 }
 
 /// Returns the result of `work` for a scene; `studied` has the message of an error that is thrown.
@@ -207,9 +189,10 @@ auto noted(StudiedScene& studied, const Work& work) {
 int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
             std::ostream& out) {
   out << task.scene.name << ": " << task.scene.title << std::endl;
-  if (task.study.sweep) return runAndFinish(&study::runSweep, task, stop, studied, out);
-  return task.study.isOfTilts() ? runAndFinish(&study::runTiltStudy, task, stop, studied, out)
-                                : runAndFinish(&study::runPrecisionStudy, task, stop, studied, out);
+  if (const auto result = run(task.scene, stop)) return finish(task, *result, studied, out);
+  out << "  interrupted; nothing was written" << std::endl;
+  studied.interrupted = true;
+  return interruptStatus();
 }
 
 int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
@@ -243,7 +226,7 @@ int study(const StudyArguments& arguments) {
   const std::atomic<bool>& stop = catchInterrupts();
   std::vector<StudiedScene> studied;
   for (const Task& task : tasks)
-    studied.push_back({task.scene, task.study, store::studySceneChecksum(task.scene)});
+    studied.push_back({task.scene, store::studySceneChecksum(task.scene)});
   return reportIfUnmet(arguments.json ? runTasksAsJson(tasks, stop, studied)
                                       : runTasks(tasks, stop, studied, std::cout));
 }
@@ -253,27 +236,27 @@ int study(const StudyArguments& arguments) {
 void addStudyCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = program.add_subcommand(
-      "study", "Compare integrators and steps, tilts, or values of any key: tables and plots");
+      "study", "Compare integrators and steps, or values of any key: tables and plots");
   command->add_option("SCENE", arguments->scenes, "Scene files")->required();
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_option("--steps", arguments->steps, "Substeps to compare, e.g. 1,2,4,8")
+  command->add_option("--steps", arguments->steps, "Substeps to compare, as study.x, e.g. 1,2,4,8")
       ->type_name("N,N,...");
   command
       ->add_option("--integrators", arguments->integrators,
-                   "Integrators to compare, e.g. euler,rk4")
+                   "Integrators to compare, as study.curves, e.g. euler,rk4")
       ->type_name("NAME,...");
   command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
   arguments->sceneOptions.addChecksum(*command);
   addRetryStatus(*command);
   command->footer(R"(
-Runs each integrator with each number of substeps that [study] of the scene lists, by default all
-of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
-with study.x, the scene runs with each value of that axis, and what study.measure lists is measured.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), the plot as DIR/NAME-study.png,
-.svg and .pdf, and DIR/NAME-study.json.
+Runs the scene with each value of the axis study.x, on a curve for each value of study.curves, and
+measures what study.measure lists. Without [study], finds the order of each of the model's integrators
+from runs with 1, 2, 4 ... 1024 substeps. --steps and --integrators make other runs than the scene's, of
+which nothing is expected. Writes DIR/NAME-study.csv, the plot as DIR/NAME-study.png, .svg and .pdf,
+and DIR/NAME-study.json.
 
 Examples:
   rotatebook study scenes/studies/*.toml

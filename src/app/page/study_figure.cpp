@@ -32,10 +32,8 @@ std::optional<double> boundIn(const Json& expected, const char* key) {
 
 Check checkIn(const Json& expected) {
   const std::string quantity = expected.at("quantity"), meaning = expected.at("meaning");
-  const Json& integrator = expected.at("integrator");
-  return checkOf(
-      integrator.is_null() ? quantity : quantity + " of " + integrator.get<std::string>(),
-      {boundIn(expected, "min"), boundIn(expected, "max")}, measuredIn(expected), meaning);
+  return checkOf(quantity, {boundIn(expected, "min"), boundIn(expected, "max")},
+                 measuredIn(expected), meaning);
 }
 
 /// Returns what was expected and measured. Throws InputError unless the file is the result of the
@@ -61,10 +59,8 @@ std::vector<Check> readChecks(const fs::path& file, const scene::Scene& scene) {
 
 Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
-  const bool hasOrders = !scene.study->isOfTilts() && !scene.study->sweep;
   for (const auto& file : {files.csv, files.json}) requireFile(file, scene, "study");
   for (const auto& file : files.plots) requireFile(file, scene, "study");
-  if (hasOrders) requireFile(files.orders, scene, "study");
   const std::vector<Check> checks = readChecks(files.json, scene);
 
   Figure figure{FigureKind::Study, scene.name, scene.title};
@@ -79,7 +75,6 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
     if (plot.extension() == ".svg") figure.thumbnail = figure.files.back();
   }
   link(files.csv, "CSV");
-  if (hasOrders) link(files.orders, "CSV of the orders");
   figure.section =
       filled(studyTemplate(),
              {{"id", escaped(scene.name)},

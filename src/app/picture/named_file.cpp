@@ -25,8 +25,8 @@ std::vector<NamedFile> namedFiles(const scene::Scene& scene) {
     add(side == scene::kBuiltin ? "" : side, "texture");
   addOf(scene);
   for (const scene::Panel& panel : scene.panels) addOf(panel);
-  if (scene.study && scene.study->sweep) {
-    for (const scene::SweepRun& run : scene.study->sweep->runs)
+  if (scene.study) {
+    for (const scene::StudyRun& run : scene.study->runs)
       add(run.motion.simulation.recorded.file, "recording");
   }
   if (!scene.wordsFile.empty()) files.push_back({scene.wordsFile, "table of words"});

@@ -19,7 +19,7 @@ constexpr Colour rgb(int hex) {
 }
 
 constexpr double kDown = 0.5, kLevel = 0.125;  // turned: a triangle's corner, a square's edge
-constexpr std::array<Marker, 16> kMarkers{{{rgb(0x000000)},
+constexpr std::array<Marker, 14> kMarkers{{{rgb(0x000000)},
                                            {rgb(0xd55e00), 3},
                                            {rgb(0x7f7f7f), 0, 0, true},
                                            {rgb(0xe69f00), 3, 0, true},
@@ -29,8 +29,6 @@ constexpr std::array<Marker, 16> kMarkers{{{rgb(0x000000)},
                                            {rgb(0xcc79a7), 4},
                                            {rgb(0x882255), 4, 0, true},
                                            {rgb(0x332288), 5},
-                                           {rgb(0x0072b2), 4, kLevel},
-                                           {rgb(0x009e73), 3, kDown},
                                            {rgb(0xaa4499), 5, kDown},
                                            {rgb(0x117733), 5, 0, true},
                                            {rgb(0x999933), 3, kDown, true},

@@ -76,8 +76,8 @@ struct Marker {
 };
 
 /// Returns the marker of a curve, by its number modulo the number of markers. The colours are after
-/// Okabe and Ito and after Tol, which colour-blind people can tell apart; each model's integrators
-/// have different shapes, so that the plot can be read without colours, too.
+/// Okabe and Ito and after Tol, which colour-blind people can tell apart; all shapes differ, so
+/// that the plot can be read without colours, too.
 const Marker& markerOf(std::size_t number);
 
 /// A curve; or an item of a legend, which has no points.

@@ -16,6 +16,7 @@
 namespace rotatebook::plot {
 namespace {
 
+using scene::Measure;
 using scene::Scale;
 
 constexpr double kWideSpan = 20;   // An axis whose values span more than this is logarithmic.
@@ -81,39 +82,54 @@ Panel logarithmicPanel(const char* x, const char* y, const std::vector<Series>& 
                  logarithmicAxis(y, valuesAlong(1, series)), series, sharesY);
 }
 
-/// Returns the integrator's name and its fitted order.
-std::string nameOf(const study::IntegratorOrder& order) {
+/// Returns the curve's name and its fitted order.
+std::string nameOf(const study::CurveOrder& order) {
   std::array<char, 32> fitted{};
   std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
-  return std::string(scene::nameOf(scene::kIntegrators, order.integrator)) + "  " +
+  return (order.curve.empty() ? "" : order.curve + "  ") +
          (std::isnan(order.fit.order) ? "–" : fitted.data());
 }
 
-/// Returns a curve for each integrator: its errors over `across`, of the runs that show one.
+/// Returns the errors over `across`, of the runs that show one, curve by curve.
 template <typename Across>
-std::vector<Series> errorsOver(const study::PrecisionStudy& study, const Across& across) {
+std::vector<Series> errorsOver(const study::Study& study, std::size_t place, const Across& across) {
   std::vector<Series> all;
-  for (const study::IntegratorOrder& order : study.orders) {
-    Series series{nameOf(order), markerOf(static_cast<std::size_t>(order.integrator))};
-    for (const study::PrecisionRow& row : study.rows) {
-      const bool isShown = row.integrator == order.integrator &&
-                           row.end.kind == study::RunEnd::Kind::Whole && row.errorDeg > 0;
-      if (isShown) series.points.emplace_back(across(row), row.errorDeg);
+  for (const study::CurveOrder& order : study.orders) {
+    Series series{nameOf(order), markerOf(all.size())};
+    for (const study::StudyRow& row : study.rows) {
+      const double error = row.measured[place];
+      if (row.curve == order.curve && error > 0) series.points.emplace_back(across(row), error);
     }
     all.push_back(std::move(series));
   }
   return all;
 }
 
-std::set<int> slopesOf(const study::PrecisionStudy& study) {
+std::set<int> slopesOf(const study::Study& study) {
   std::set<int> slopes;
-  for (const auto& [integrator, fit] : study.orders) {
+  for (const auto& [curve, fit] : study.orders) {
     if (!std::isnan(fit.order) && fit.order > 0.5) slopes.insert(static_cast<int>(fit.order + 0.5));
   }
   return slopes;
 }
 
-// --- Any key ---
+/// Adds the panels of an order: errors over the step, and over what it costs.
+void addOrder(const study::Study& result, std::size_t place, Plot& plot) {
+  const std::string error(rowOf(Measure::Order).studied);
+  plot.panels.push_back(
+      logarithmicPanel("step  [s]", error.c_str(),
+                       errorsOver(result, place, [](const auto& row) { return row.step; })));
+  plot.panels.push_back(logarithmicPanel(
+      "computing time for a second of motion  [ns]", "",
+      errorsOver(result, place, [](const auto& row) { return row.nsPerStep / row.step; }), true));
+  const std::set<int> slopes = slopesOf(result);
+  plot.legendTitle = "fitted order";
+  plot.legend = legendOf(slopes);
+  for (const int slope : slopes) {
+    addSlope(slope, plot.panels[plot.panels.size() - 2]);
+    addSlope(-slope, plot.panels.back());
+  }
+}
 
 /// Returns the place of a value on the horizontal axis: the number, or its rank from 1.
 double placeOf(const std::string& label, const scene::Axis& key) {
@@ -123,23 +139,23 @@ double placeOf(const std::string& label, const scene::Axis& key) {
 
 /// Returns a curve for each value of the second key, each followed by the points of runs that are
 /// not measured but known to lie above: of motions that haven't diverged.
-std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep& sweep,
+std::vector<Series> seriesOf(const study::Study& result, const scene::StudySettings& study,
                              std::size_t measure) {
   std::vector<Series> all;
   const std::string* curve = nullptr;
-  for (const study::SweepRow& row : study.rows) {
+  for (const study::StudyRow& row : result.rows) {
     if (curve == nullptr || *curve != row.curve) {
       curve = &row.curve;
       Marker marker = markerOf(all.size() / 2);
       // Words have no order, so that no line joins their points.
-      if (!sweep.x.hasNumbers()) marker.radius = kOpenRadius;
-      all.push_back({row.curve, marker, {}, sweep.x.hasNumbers()});
+      if (!study.x.hasNumbers()) marker.radius = kOpenRadius;
+      all.push_back({row.curve, marker, {}, study.x.hasNumbers()});
       all.push_back({"", {marker.colour, 3, 0, true, kOpenRadius}, {}, false});
     }
     const double value = row.measured[measure];
     if (std::isnan(value)) continue;
     const bool isOpen = std::isinf(value);
-    all[all.size() - (isOpen ? 1 : 2)].points.emplace_back(placeOf(row.value, sweep.x),
+    all[all.size() - (isOpen ? 1 : 2)].points.emplace_back(placeOf(row.value, study.x),
                                                            isOpen ? row.length : value);
   }
   return all;
@@ -158,79 +174,39 @@ Axis axisOf(const scene::Axis& key) {
 
 }  // namespace
 
-Plot plotOf(const study::PrecisionStudy& result, const scene::StudySettings&) {
-  const std::set<int> slopes = slopesOf(result);
-  Plot plot{.title = {}, .legendTitle = "fitted order", .legend = legendOf(slopes)};
-  plot.panels = {
-      logarithmicPanel("step  [s]", "largest attitude error  [degrees]",
-                       errorsOver(result, [](const auto& row) { return row.h; })),
-      logarithmicPanel("computing time for a second of motion  [ns]", "",
-                       errorsOver(result, [](const auto& row) { return row.nsPerStep / row.h; }),
-                       true)};
-  for (const int slope : slopes) {
-    addSlope(slope, plot.panels[0]);
-    addSlope(-slope, plot.panels[1]);
-  }
-  return plot;
-}
-
-Plot plotOf(const study::TiltStudy& result, const scene::StudySettings&) {
-  constexpr const char* kTilt = "tilt  [rad]";
-  std::vector<study::TiltRow> rows = result.rows;
-  std::erase_if(rows, [](const study::TiltRow& row) { return std::isnan(row.interval); });
-  std::ranges::sort(rows, {}, &study::TiltRow::tilt);
-  Series law{"logarithmic law", markerOf(1)}, measured{"measured", markerOf(0)},
-      difference = measured;
-  for (const study::TiltRow& row : rows) {
-    law.points.emplace_back(row.tilt, row.law);
-    measured.points.emplace_back(row.tilt, row.interval);
-    if (row.ratio() != 1) difference.points.emplace_back(row.tilt, std::fabs(row.ratio() - 1));
-  }
-  law.hasMarkers = measured.hasLine = false;
-  Plot plot{.title = {}, .legend = legendOf({2})};
-  plot.panels = {
-      panelOf(logarithmicAxis(kTilt, valuesAlong(0, {measured})),
-              axisFor("time from a flip to the next  [s]", valuesAlong(1, {law, measured}), true),
-              {law, measured}),
-      logarithmicPanel(kTilt, "| measured / law − 1 |", {difference})};
-  plot.panels[1].x = plot.panels[0].x;
-  addSlope(2, plot.panels[1]);
-  return plot;
-}
-
-Plot plotOf(const study::SweepStudy& result, const scene::StudySettings& study) {
-  const scene::Sweep& sweep = *study.sweep;
-  Plot plot{.title = {}, .legendTitle = sweep.curves ? scene::nameOf(*sweep.curves) : ""};
-  const bool hasOpen = std::ranges::any_of(result.rows, [](const study::SweepRow& row) {
+Plot plotOf(const study::Study& result, const scene::StudySettings& study) {
+  Plot plot{.title = {}, .legendTitle = study.curves ? scene::nameOf(*study.curves) : ""};
+  const bool hasOpen = std::ranges::any_of(result.rows, [](const study::StudyRow& row) {
     return std::ranges::any_of(row.measured, [](double value) { return std::isinf(value); });
   });
   if (hasOpen) {
     plot.legend = {{"not within the run", {kGrey, 3, 0, true, kOpenRadius}, {}, false}};
   }
-  for (std::size_t i = 0; i < sweep.measures.size(); ++i) {
-    const std::vector<Series> series = seriesOf(result, sweep, i);
-    const std::string name(rowOf(sweep.measures[i]).studied);
+  for (std::size_t i = 0; i < study.measures.size(); ++i) {
+    if (study.measures[i] == Measure::Order) {
+      addOrder(result, i, plot);
+      continue;
+    }
+    const std::vector<Series> series = seriesOf(result, study, i);
+    const std::string name(rowOf(study.measures[i]).studied);
     plot.panels.push_back(
-        panelOf(axisOf(sweep.x), axisFor(name, valuesAlong(1, series), true), series));
+        panelOf(axisOf(study.x), axisFor(name, valuesAlong(1, series), true), series));
   }
   return plot;
 }
 
-void writeStudyPlot(const StudyResult& result, const scene::Scene& scene,
-                    const scene::StudySettings& study,
+void writeStudyPlot(const study::Study& result, const scene::Scene& scene,
                     const std::vector<std::filesystem::path>& files) {
   constexpr double kPixels = 1.5;  // of a PNG, for one of the sheet
-  Plot plot = std::visit([&](const auto& one) { return plotOf(one, study); }, result);
+  Plot plot = plotOf(result, *scene.study);
   plot.title = scene.title;
   writePlot(drawPlot(plot, lettersOf(scene)), files, kPixels);
 }
 
-void requireStudyLetters(const scene::Scene& scene, const scene::StudySettings& study) {
+void requireStudyLetters(const scene::Scene& scene) {
   std::vector<std::string> texts{scene.title};
-  if (study.sweep) {
-    for (const scene::AxisValue& value : study.sweep->x.values) texts.push_back(value.label);
-    for (const scene::SweepRun& run : study.sweep->runs) texts.push_back(run.curve);
-  }
+  for (const scene::AxisValue& value : scene.study->x.values) texts.push_back(value.label);
+  for (const scene::StudyRun& run : scene.study->runs) texts.push_back(run.curve);
   Drawing drawing(1, 1, {}, lettersOf(scene));
   for (const std::string& text : texts) drawing.write(text, {}, Point(0, 0));
 }

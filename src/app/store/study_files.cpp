@@ -9,12 +9,11 @@ namespace rotatebook::store {
 
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name) {
   const std::string stem = name + "-study";
-  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"), plot::plotFiles(folder / stem),
-          folder / (stem + ".json")};
+  return {folder / (stem + ".csv"), plot::plotFiles(folder / stem), folder / (stem + ".json")};
 }
 
 std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
-  std::vector<std::filesystem::path> all{files.csv, files.orders, files.json};
+  std::vector<std::filesystem::path> all{files.csv, files.json};
   all.insert(all.end(), files.plots.begin(), files.plots.end());
   return all;
 }

@@ -9,8 +9,7 @@ namespace rotatebook::store {
 
 /// Paths of a study's outputs, all in one folder.
 struct StudyFiles {
-  std::filesystem::path csv;     ///< NAME-study.csv
-  std::filesystem::path orders;  ///< NAME-study-orders.csv, only for studies of integrators
+  std::filesystem::path csv;                 ///< NAME-study.csv
   std::vector<std::filesystem::path> plots;  ///< NAME-study.png and others, plot::plotFiles()
   std::filesystem::path json;                ///< NAME-study.json
 };

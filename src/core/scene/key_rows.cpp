@@ -48,8 +48,6 @@ std::vector<KeyRow> collectedKeys() {
   add(rowsOf("panel.N.", panelKeys()));
   add(rowsOf("grid.", gridKeys()));
   add(rowsOf("study.", studyKeys()));
-  add(rowsOf("study.", sweepKeys()));
-  add(rowsOf("study.", samplingKeys()));
   add(rowsOf("map.", mapKeys()));
   return all;
 }

@@ -110,22 +110,6 @@ void checkTime(const ValueReader& section, const MapSettings& map) {
   }
 }
 
-/// Returns why a motion has no such measure; empty if it has.
-std::string reasonForAbsence(Measure measure, Model model) {
-  switch (rowOf(measure).models) {
-    case MeasureModels::All:
-      break;
-    case MeasureModels::Stepwise:
-      if (model != Model::Exact) break;
-      return "the model \"exact\" has no such error; choose another model, e.g. "
-             "simulation.model = \"quaternion\"";
-    case MeasureModels::Particles:
-      if (model == Model::Particles) break;
-      return "only the model \"particles\" has a centre that drifts";
-  }
-  return "";
-}
-
 void checkMeasure(const ValueReader& section, const MapSettings& map,
                   const std::vector<Panel>& motions) {
   for (const Panel& panel : motions) {

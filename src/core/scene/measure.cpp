@@ -36,6 +36,26 @@ std::span<const Measure> measuresOfMotions() {
   return kOfMotions;
 }
 
+std::string reasonForAbsence(Measure measure, physics::Model model) {
+  using physics::Model;
+  if (measure == Measure::Order && !physics::takesSteps(model)) {
+    return "the motion takes no steps; choose another model, e.g. simulation.model = "
+           "\"quaternion\"";
+  }
+  switch (rowOf(measure).models) {
+    case MeasureModels::All:
+      break;
+    case MeasureModels::Stepwise:
+      if (model != Model::Exact) break;
+      return "the model \"exact\" has no such error; choose another model, e.g. "
+             "simulation.model = \"quaternion\"";
+    case MeasureModels::Particles:
+      if (model == Model::Particles) break;
+      return "only the model \"particles\" has a centre that drifts";
+  }
+  return "";
+}
+
 MeasuredRange rangeOn(const physics::Sample& sample, const physics::Sample& start,
                       Measure measure) {
   const auto one = [](double value) { return MeasuredRange{value, value}; };
@@ -66,6 +86,8 @@ MeasuredRange rangeOn(const physics::Sample& sample, const physics::Sample& star
     case Measure::FirstFlip:
     case Measure::FlipInterval:
     case Measure::Growth:
+    case Measure::FlipLaw:
+    case Measure::Order:
       break;  // measured over a motion, not on a sample
   }
   return {};

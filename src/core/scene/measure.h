@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "physics/motion_settings.h"
 #include "physics/trajectory.h"
 
 namespace rotatebook::scene {
@@ -19,10 +21,11 @@ enum class Measure {
 #undef ROTATEBOOK_MEASURE
 };
 
-/// The sections that take a measure.
+/// The sections that take a measure; each takes those of the ones before it, too.
 enum class MeasureSections {
-  All,   ///< [expect], [study], [grid] and [map].
-  Maps,  ///< [map] alone.
+  All,      ///< [expect], [study], [grid] and [map].
+  Runs,     ///< [study] and [map].
+  Studies,  ///< [study] alone.
 };
 
 /// The time that a measure is of.
@@ -48,7 +51,7 @@ struct MeasureRow {
   double rest = 0;           ///< The value from which studies measure: 1 of ratios and the stretch.
   std::string_view meaning;  ///< In Markdown, with the unit.
   std::string_view label;    ///< Beside a map's colours, with the unit.
-  std::string_view studied;  ///< On a study's axis, with the unit; empty of maps' own.
+  std::string_view studied;  ///< On a study's axis, with the unit.
 };
 
 /// The rows, in the order of Measure.
@@ -70,8 +73,10 @@ constexpr std::string_view nameOf(Measure measure) {
   return rowOf(measure).name;
 }
 
-/// Returns the measures that [expect], [study] and [grid] take, in the order of the rows.
+/// Returns the measures that [expect] and [grid] take, in the order of the rows.
 std::span<const Measure> measuresOfMotions();
+/// Returns why motions of `model` have no such measure; empty if they have.
+std::string reasonForAbsence(Measure measure, physics::Model model);
 
 /// The lowest and the highest value of a measure; NaN of nothing.
 struct MeasuredRange {

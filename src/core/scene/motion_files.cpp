@@ -78,8 +78,8 @@ void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
     const bool isOwn = scene.locations.contains(recordingKey(i));
     read(scene.panels[i], isOwn ? locationOf(scene, recordingKey(i)) : location);
   }
-  if (!scene.study || !scene.study->sweep) return;
-  for (SweepRun& run : scene.study->sweep->runs) {
+  if (!scene.study) return;
+  for (StudyRun& run : scene.study->runs) {
     readIfRecorded(run.motion, scene, location, 0, readNamedFile);
   }
 }

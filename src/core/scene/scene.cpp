@@ -31,12 +31,6 @@ double speedAt(const Scene& scene, double frame) {
                           : scene.simulation.timePerFrame / period;
 }
 
-physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study) {
-  physics::MotionSettings motion = scene.motion();
-  sampleAsAsked(study, motion);
-  return motion;
-}
-
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion) {
   if (!study.interval) return;
   if (!motion.simulation.substepped) motion.simulation.substepped = motion.simulation.timePerFrame;

@@ -189,8 +189,6 @@ double timeAt(const Scene& scene, double frame);
 double speedAt(const Scene& scene, double frame);
 /// Returns whether the times of the clip's frames are even.
 bool hasEvenTimes(const Scene& scene);
-/// Returns the scene's motion, sampleAsAsked().
-physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study);
 /// Has samples taken of `motion` as `study` asks for, by the same steps.
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion);
 /// Returns the number of samples that `study` takes of a motion, >= 1: one for each frame of the

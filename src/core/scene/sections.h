@@ -71,11 +71,9 @@ void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene)
 std::string gridText(const Scene& scene, Printed printed);
 
 /// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
-/// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
-/// for the scene's model. Throws InputError.
+/// because it decides what a study may vary. A section without a measure is of the orders of all
+/// the model's integrators. Throws InputError.
 void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
-/// Reads a sweep likewise, into `scene.study`; `section` has `x`. Throws InputError.
-void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Scene& scene);
 

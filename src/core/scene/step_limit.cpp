@@ -45,30 +45,14 @@ double stepsOf(const Scene& scene) {
   return steps;
 }
 
-/// Returns the steps of a run of a study.
-double stepsOf(const StudySettings& study, const Scene& scene,
-               const physics::MotionSettings& motion) {
-  const auto samples = static_cast<double>(studiedSamples(scene, study, motion));
-  return stepsOf(motion.simulation, {samples, samples * motion.simulation.timePerFrame, true});
-}
-
 /// Returns the steps of all runs of a study.
 double stepsOf(const StudySettings& study, const Scene& scene) {
-  const auto sizeOf = [](const auto& list) { return static_cast<double>(list.size()); };
   double steps = 0;
-  if (study.sweep) {
-    for (const auto& [value, curve, motion] : study.sweep->runs)
-      steps += stepsOf(study, scene, motion);
-    return steps;
+  for (const auto& [value, curve, motion] : study.runs) {
+    const auto samples = static_cast<double>(studiedSamples(scene, study, motion));
+    steps += stepsOf(motion.simulation, {samples, samples * motion.simulation.timePerFrame, true});
   }
-  physics::MotionSettings motion = studiedMotion(scene, study);
-  if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(study, scene, motion);
-  motion.simulation.step.reset();
-  for (const int substeps : study.steps) {
-    motion.simulation.substeps = substeps;
-    steps += stepsOf(study, scene, motion);
-  }
-  return sizeOf(study.integrators) * steps;
+  return steps;
 }
 
 /// Returns the value of a stated step in `motion`, the whole file or a panel.
@@ -107,9 +91,7 @@ void checkSteps(const ValueReader& file, const Scene& scene) {
              "lower simulation.substeps or clip.duration, or state a longer simulation.step");
   const auto study = file.find("study");
   if (!study) return;
-  const bool isOfTilts = scene.study->isOfTilts();
-  const auto list = study->find(scene.study->sweep ? "x" : isOfTilts ? "tilts" : "steps");
-  refuseMany(stepsOf(*scene.study, scene), "the study takes", list.value_or(*study),
+  refuseMany(stepsOf(*scene.study, scene), "the study takes", study->find("x").value_or(*study),
              "make fewer runs, or shorter ones");
 }
 

@@ -1,124 +1,186 @@
-// Reads and prints [study].
+// Reads and prints [study]: its keys, and the motion of each run.
 #include <algorithm>
-#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "base/text.h"
 #include "document/problems.h"
-#include "physics/measure/flip_interval.h"
-#include "physics/motion_start.h"
+#include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
+#include "scene/varied_motion.h"
 
 namespace rotatebook::scene {
 namespace {
 
-using physics::Model;
+using document::TomlNode;
 
-constexpr int kMaxDoublings = 10;
-// Sine of the largest angle between the untilted spin and the median axis for which there is a law
-// to compare with.
-constexpr double kMaxSineToMedian = 0.1;
+constexpr const char* kDefaultX =
+    "{ key = \"simulation.substeps\", values = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024] }";
+constexpr const char* kDefaultMeasure = "[\"order\"]";
 
-void refuseStepless(const ValueReader& section, Model model) {
-  section.fail(
-      "the model " + tomlString(nameOf(kModels, model)) +
-      " takes no steps, so [study] has no integrators and steps to compare; " +
-      (model == Model::Exact ? "give it tilts, or choose another model" : "choose another model"));
+std::string curvesOfAllIntegrators(physics::Model model) {
+  std::vector<std::string> names;
+  for (const std::string_view name : integratorNames(model)) names.push_back(tomlString(name));
+  return "{ key = \"simulation.integrator\", values = [" + joined(names) + "] }";
 }
 
-void checkTilted(const ValueReader& tilts, const Scene& scene) {
-  if (scene.simulation.model == Model::Recorded) refuseStepless(tilts, Model::Recorded);
-  if (!scene.initial.tilt) {
-    tilts.fail(tilts.name() + " needs initial.tilt, whose axis it takes, such as [0.1, \"z\"]");
+/// Returns [study] with what it leaves out: without a measure, the orders of all integrators.
+TomlNode completed(const ValueReader& section, physics::Model model) {
+  TomlNode whole = section.node();
+  auto* table = std::get_if<TomlNode::Table>(&whole.value);
+  if (table == nullptr) section.mismatch("a table");
+  const auto state = [&](const char* key, const std::string& value) {
+    const std::string& location = whole.location;
+    if (section.find(key)) return;
+    table->push_back({key, location, *document::parseTomlValue(value, location)});
+  };
+  const bool statesMeasure = section.find("measure").has_value();
+  if (!statesMeasure && !physics::takesSteps(model)) {
+    section.fail("the model " + tomlString(nameOf(kModels, model)) +
+                 " takes no steps, whose order [study] finds without a measure; state x and "
+                 "measure, or choose another model");
   }
-  physics::MotionSettings motion = scene.motion();
-  motion.initial.tilt.reset();
-  const Eigen::Vector3d axis = physics::medianAxis(modelInertia(motion));
-  const Eigen::Vector3d spin = initialAngularVelocity(motion);
-  if (axis.cross(spin).norm() <= kMaxSineToMedian * spin.norm()) return;
-  tilts.fail(tilts.name() +
-             " needs a spin about the axis of the middle moment of inertia, the only one about "
-             "which a body flips");
+  state("x", kDefaultX);
+  if (!statesMeasure) state("curves", curvesOfAllIntegrators(model));
+  state("measure", kDefaultMeasure);
+  return whole;
 }
 
-void refuseTiltsWithSteps(const ValueReader& section) {
-  for (const char* key : {"integrators", "steps", "orders"}) {
-    if (const auto value = section.find(key)) {
-      value->fail("[study] has both tilts and " + std::string(key) +
-                  "; it compares either tilts, or integrators and steps");
+void addCurve(const TomlNode& sections, const VariedKey& x, const std::string& curve,
+              Scene& scene) {
+  const VariedMotions motions(sections, scene.simulation, x);
+  document::Problems problems;
+  for (const StatedValue& value : x.values) {
+    problems.note([&] {
+      physics::MotionSettings motion = motions.with(value);
+      sampleAsAsked(*scene.study, motion);
+      scene.study->runs.push_back({value.value.label, curve, std::move(motion)});
+    });
+  }
+  problems.throwIfAny();
+}
+
+void refuseManyRuns(const ValueReader& section, const StudySettings& study) {
+  const std::size_t curves = study.curves ? study.curves->values.size() : 1;
+  const std::size_t runs = study.x.values.size() * curves;
+  if (runs <= kMaxRuns) return;
+  section.fail("[study] has " + std::to_string(runs) + " runs; the limit is " +
+               std::to_string(kMaxRuns));
+}
+
+void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene) {
+  refuseManyRuns(section, *scene.study);
+  const VariedKey x = variedKeyFrom(*section.find("x"), file);
+  const TomlNode sections = motionPart(file);
+  const auto curves = section.find("curves");
+  if (!curves) return addCurve(sections, x, "", scene);
+  const VariedKey second = variedKeyFrom(*curves, file);
+  if (second.path == x.path) {
+    second.key.fail(second.key.name() + " is study.x.key, too; name another key");
+  }
+  document::Problems problems;
+  for (const StatedValue& value : second.values) {
+    problems.note([&] {
+      TomlNode varied = sections;
+      put(varied, second, value);
+      addCurve(varied, x, value.value.label, scene);
+    });
+  }
+  problems.throwIfAny();
+}
+
+/// Throws InputError if the study varies what none of its models has.
+void refuseUnusedKeys(const ValueReader& section, const StudySettings& study) {
+  std::vector<physics::Model> models;
+  for (const StudyRun& run : study.runs) models.push_back(run.motion.simulation.model);
+  refuseUnused(*section.find("x", "key"), study.x.key, models, "runs");
+  if (study.curves) refuseUnused(*section.find("curves", "key"), study.curves->key, models, "runs");
+}
+
+/// Throws InputError if a study with an interval of its own varies the one that it replaces.
+void refuseIntervals(const ValueReader& section, const StudySettings& study) {
+  constexpr std::string_view kInterval = "simulation.time_per_frame";
+  const auto interval = section.find("interval");
+  if (!interval) return;
+  if (study.x.key != kInterval && !(study.curves && study.curves->key == kInterval)) return;
+  interval->fail(
+      "study.interval replaces simulation.time_per_frame, which the study varies; "
+      "remove one of them");
+}
+
+/// Throws InputError if something is expected that isn't measured, or of an x that isn't of one.
+void checkExpected(const ValueReader& section, const StudySettings& study) {
+  kStudyExpectations.check(section, {&study.x, study.curves ? &*study.curves : nullptr});
+  for (std::size_t i = 0; i < study.expected.size(); ++i) {
+    const Measure measure = study.expected[i].measure;
+    const ValueReader table = section.find("expect")->tables("")[i];
+    if (std::ranges::count(study.measures, measure) == 0) {
+      table.find("of")->fail(std::string(nameOf(measure)) + " isn't in study.measure");
+    }
+    const auto x = table.find("x");
+    if (measure == Measure::Order && x) x->fail("order is of a whole curve; leave x out");
+  }
+}
+
+/// Throws InputError if an order can't be found: without steps, or with the same ones twice.
+void checkOrders(const ValueReader& section, const StudySettings& study) {
+  if (std::ranges::count(study.measures, Measure::Order) == 0) return;
+  std::set<std::pair<std::string, double>> steps;
+  for (const StudyRun& run : study.runs) {
+    const physics::SimulationSettings& simulation = run.motion.simulation;
+    const std::string reason = reasonForAbsence(Measure::Order, simulation.model);
+    if (!reason.empty()) section.find("measure")->fail("study.measure has order: " + reason);
+    if (!steps.emplace(run.curve, simulation.steps().length()).second) {
+      section.find("x")->fail(
+          "order, which is measured unless study.measure says otherwise, is found from different "
+          "steps, but study.x gives two runs the same; vary simulation.substeps or "
+          "simulation.step, or state another measure");
     }
   }
 }
 
-/// Throws InputError if the study takes too many samples of a motion.
-void checkSamples(const ValueReader& section, const Scene& scene,
-                  const physics::MotionSettings& motion) {
-  const std::int64_t samples = studiedSamples(scene, *scene.study, motion);
-  if (samples <= kMaxFrames) return;
-  section.find(scene.study->duration ? "duration" : "interval")
-      ->fail("the study takes " + std::to_string(samples) + " samples of a motion; the limit is " +
-             std::to_string(kMaxFrames) + ": lower study.duration, or raise study.interval");
-}
-
-void refuseWithoutX(const ValueReader& section) {
-  for (const Key<Scene>& key : sweepKeys()) {
-    if (const auto value = section.find(key.name)) value->fail(value->name() + " needs study.x");
+/// Throws InputError if the study takes too many samples of a motion, or too few.
+void checkSamples(const ValueReader& section, const Scene& scene) {
+  for (const StudyRun& run : scene.study->runs) {
+    const std::int64_t samples = studiedSamples(scene, *scene.study, run.motion);
+    if (samples < 2) {
+      section.fail(
+          "[study] takes a single sample of a motion, which shows none; raise study.duration or "
+          "clip.duration");
+    }
+    if (samples <= kMaxFrames) continue;
+    section.find(scene.study->duration ? "duration" : "interval")
+        ->fail("the study takes " + std::to_string(samples) +
+               " samples of a motion; the limit is " + std::to_string(kMaxFrames) +
+               ": lower study.duration, or raise study.interval");
   }
 }
 
 }  // namespace
 
-StudySettings defaultStudy(Model model) {
-  StudySettings study;
-  const auto integrators = integratorsOf(model);
-  study.integrators.assign(integrators.begin(), integrators.end());
-  if (study.integrators.empty()) return study;
-  for (int doublings = 0; doublings <= kMaxDoublings; ++doublings) {
-    study.steps.push_back(1 << doublings);
-  }
-  return study;
-}
-
-void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene) {
+void readStudy(const ValueReader& stated, const ValueReader& file, Scene& scene) {
   if (!scene.panels.empty()) {
-    section.fail("[study] needs a single motion, but this scene has several, panels or a grid");
+    stated.fail("[study] needs a single motion, but this scene has several, panels or a grid");
   }
-  Keys<Scene> keys = studyKeys();
-  std::ranges::copy(samplingKeys(), std::back_inserter(keys));
-  const auto ignore = [](const auto&, const ValueReader&) {};
-  auto fields = fieldsOf(keys, ignore);
-  std::ranges::move(fieldsOf(sweepKeys(), ignore), std::back_inserter(fields));
-  section.readTable(fields);
-  if (section.find("x")) {
-    readSweep(section, file, scene);
-    for (const SweepRun& run : scene.study->sweep->runs) checkSamples(section, scene, run.motion);
-    return;
-  }
-  refuseWithoutX(section);
-  const auto tilts = section.find("tilts");
-  if (tilts) {
-    refuseTiltsWithSteps(section);
-    scene.study.emplace();
-  } else {
-    if (const auto law = section.find("flip_law")) law->fail(law->name() + " needs study.tilts");
-    if (!takesSteps(scene.simulation.model)) refuseStepless(section, scene.simulation.model);
-    scene.study = defaultStudy(scene.simulation.model);
-  }
-  // In the order of the keys, because the orders depend on the integrators.
-  document::Problems problems;
-  for (const Key<Scene>& key : keys) {
-    const auto value = section.find(key.name);
-    if (value) problems.note([&] { key.read(*value, scene); });
-  }
-  problems.throwIfAny();
-  checkSamples(section, scene, studiedMotion(scene, *scene.study));
-  if (tilts) checkTilted(*tilts, scene);
+  const TomlNode whole = completed(stated, scene.simulation.model);
+  const ValueReader section(whole, stated.name());
+  StudySettings& study = scene.study.emplace();
+  readKeys(section, studyKeys(), study);
+  refuseIntervals(section, study);
+  makeRuns(section, file, scene);
+  refuseUnusedKeys(section, study);
+  checkExpected(section, study);
+  checkOrders(section, study);
+  checkSamples(section, scene);
 }
 
 std::string studyText(const Scene& scene) {
   if (!scene.study) return "";
-  return "\n[study]\n" + linesOf(studyKeys(), scene) + ordersText(*scene.study) +
-         (scene.study->sweep ? linesOf(sweepKeys(), scene) : "") + linesOf(samplingKeys(), scene);
+  return "\n[study]\n" + linesOf(studyKeys(), *scene.study);
 }
 
 }  // namespace rotatebook::scene

@@ -19,8 +19,6 @@ std::string RunEnd::text() const {
       return "no convergence";
     case Kind::StepTooLong:
       return "step too long for its series";
-    case Kind::FewFlips:
-      return "fewer than two flips in " + roundedText(time, 6) + " s";
     case Kind::Whole:
       break;
   }

@@ -25,14 +25,12 @@ struct RunEnd {
     Diverged,       ///< Trajectory::divergedAt
     NoConvergence,  ///< physics::NoConvergence
     StepTooLong,    ///< physics::StepTooLong
-    FewFlips,       ///< Whole, but with fewer than two flips, so without an interval.
   };
 
   Kind kind = Kind::Whole;
-  double time = 0;  ///< Time of divergence; for FewFlips, the motion's length. [s]
+  double time = 0;  ///< Time of divergence. [s]
 
-  /// Returns "ok", "diverged at 1.2 s", "no convergence", "step too long for its series" or "fewer
-  /// than two flips in 60 s".
+  /// Returns "ok", "diverged at 1.2 s", "no convergence" or "step too long for its series".
   std::string text() const;
 };
 
@@ -49,7 +47,7 @@ struct Execution {
   /// time. Returns whether all were made; throws the first error that a run threw.
   std::function<bool(std::span<const std::size_t>, const Run&)> runAll = runInTurn;
   /// Measures the computing time of one step within a motion's first `steps` steps. [ns] Without
-  /// it, PrecisionRow::nsPerStep is NaN.
+  /// it, StudyRow::nsPerStep is NaN.
   std::function<double(const physics::MotionSettings&, std::int64_t steps)> nanosecondsPerStep{};
   /// Stops the study if set from outside; read at every frame. May be null.
   const std::atomic<bool>* stop = nullptr;

@@ -40,14 +40,13 @@ double flipIntervalOf(const MapRun& run, const MapPlan& plan, Stop stop) {
   Trajectory trajectory = simulate(run.motion, times, stop);
   if (trajectory.divergedAt) return kDiverged;
   trajectory.interval = run.interval;
-  const double mean = physics::meanInterval(flipTimes(trajectory, modelInertia(run.motion)));
-  return std::isnan(mean) ? kNever : mean;
+  return reduced(trajectory, run.motion, plan.measure);
 }
 
 double largestOf(const MapRun& run, const MapPlan& plan, Stop stop) {
   const Trajectory trajectory = simulate(run.motion, timesOf(run.interval, plan.duration), stop);
   if (trajectory.divergedAt) return kDiverged;
-  return reduced(trajectory, plan.measure);
+  return reduced(trajectory, run.motion, plan.measure);
 }
 
 double lastOf(const MotionSettings& motion, const MapPlan& plan) {
@@ -57,7 +56,8 @@ double lastOf(const MotionSettings& motion, const MapPlan& plan) {
 /// Returns the value of a run whose turns needn't be counted.
 double measured(const MapRun& run, const MapPlan& plan, Stop stop) {
   if (plan.is(Measure::Growth)) return physics::tiltGrowth(modelInertia(run.motion));
-  if (plan.is(Measure::FlipInterval)) return flipIntervalOf(run, plan, stop);
+  if (plan.is(Measure::FlipInterval) || plan.is(Measure::FlipLaw))
+    return flipIntervalOf(run, plan, stop);
   if (plan.moment == scene::MapMoment::Largest) return largestOf(run, plan, stop);
   return lastOf(run.motion, plan);
 }

@@ -4,13 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/error.h"
-#include "base/number_text.h"
-#include "physics/measure/flip_interval.h"
-#include "physics/motion_start.h"
-#include "rigid/inertia.h"
+#include "base/layout.h"
 #include "scene/names.h"
-#include "scene/source_locations.h"
 #include "study/reduced.h"
 #include "study/whole_motion.h"
 
@@ -18,131 +13,96 @@ namespace rotatebook::study {
 namespace {
 
 using physics::MotionSettings;
-using physics::Trajectory;
 using scene::Measure;
+using scene::StudySettings;
 
-void measure(const Trajectory& trajectory, PrecisionRow& row) {
-  row.errorDeg = reduced(trajectory, Measure::ErrorDeg);
-  row.finalErrorDeg = trajectory.samples.back().errorDeg;
-  row.energyDrift = reduced(trajectory, Measure::EnergyRatio);
-  row.momentumDrift = reduced(trajectory, Measure::MomentumRatio);
-  row.halfTurns = trajectory.samples.back().halfTurns;
-}
-
-MotionSettings withStepping(MotionSettings settings, physics::Integrator integrator, int substeps) {
-  settings.simulation.integrator = integrator;
-  settings.simulation.substeps = substeps;
-  settings.simulation.step.reset();
-  return settings;
-}
-
-PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t samples,
-                          const Execution& execution) {
-  PrecisionRow row;
-  row.integrator = settings.simulation.integrator;
-  row.h = settings.simulation.steps().length();
-  row.steps = scene::studiedSteps(settings, samples);
-  const auto trajectory = wholeMotion(settings, samples, execution.stop, row.end);
-  if (!trajectory || isSet(execution.stop)) return row;
-  measure(*trajectory, row);
-  if (execution.nanosecondsPerStep)
-    row.nsPerStep = execution.nanosecondsPerStep(settings, row.steps);
-  return row;
-}
-
-IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<PrecisionRow>& rows) {
-  std::vector<ErrorAtStep> runs;
-  for (const PrecisionRow& row : rows) {
-    const bool counts = row.integrator == integrator && row.end.kind == RunEnd::Kind::Whole;
-    if (counts) runs.push_back({row.h, row.errorDeg});
+StudyRow runOne(const scene::StudyRun& run, const StudySettings& study, std::int64_t samples,
+                const Execution& execution) {
+  const MotionSettings& motion = run.motion;
+  StudyRow row{run.value, run.curve};
+  row.length = static_cast<double>(samples - 1) * motion.simulation.timePerFrame;
+  row.step = motion.simulation.steps().length();
+  const auto trajectory = wholeMotion(motion, samples, execution.stop, row.end);
+  for (const Measure measure : study.measures) {
+    double value = trajectory ? reduced(*trajectory, motion, measure) : kNoNumber;
+    const bool diverged = row.end.kind == RunEnd::Kind::Diverged;
+    if (diverged && measure == Measure::DivergesAt) value = row.end.time;
+    row.measured.push_back(value);
   }
-  return {integrator, fitOrder(runs)};
+  const bool isTimed = execution.nanosecondsPerStep && placeOf(Measure::Order, study);
+  if (isTimed && trajectory && !isSet(execution.stop))
+    row.nsPerStep = execution.nanosecondsPerStep(motion, scene::studiedSteps(motion, samples));
+  return row;
 }
 
-TiltRow runTilt(const MotionSettings& settings, std::int64_t samples, Stop stop) {
-  TiltRow row;
-  row.tilt = settings.initial.tilt->angle;
-  const rigid::PrincipalAxes inertia = modelInertia(settings);
-  row.law = physics::asymptoticFlipInterval(inertia, initialAngularVelocity(settings));
-  const auto trajectory = wholeMotion(settings, samples, stop, row.end);
-  if (!trajectory) return row;
-  const std::vector<double> times = flipTimes(*trajectory, inertia);
-  row.flips = static_cast<int>(times.size());
-  row.interval = physics::meanInterval(times);
-  if (times.size() < 2) row.end = {RunEnd::Kind::FewFlips, trajectory->samples.back().time};
-  return row;
+CurveOrder orderOf(const std::string& curve, std::size_t place, const std::vector<StudyRow>& rows) {
+  std::vector<ErrorAtStep> runs;
+  for (const StudyRow& row : rows) {
+    const bool counts = row.curve == curve && row.end.kind == RunEnd::Kind::Whole;
+    if (counts) runs.push_back({row.step, row.measured[place]});
+  }
+  return {curve, fitOrder(runs)};
+}
+
+std::vector<CurveOrder> ordersOf(const std::vector<StudyRow>& rows, const StudySettings& study) {
+  const auto place = placeOf(Measure::Order, study);
+  std::vector<CurveOrder> orders;
+  if (!place) return orders;
+  for (const StudyRow& row : rows) {
+    if (orders.empty() || orders.back().curve != row.curve)
+      orders.push_back(orderOf(row.curve, *place, rows));
+  }
+  return orders;
 }
 
 }  // namespace
 
-void requireStudyable(const scene::Scene& scene, const scene::StudySettings& study) {
+std::optional<std::size_t> placeOf(Measure measure, const StudySettings& study) {
+  const auto found = std::ranges::find(study.measures, measure);
+  if (found == study.measures.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - study.measures.begin());
+}
+
+std::optional<Study> runStudy(const scene::Scene& scene, const Execution& execution) {
   requireSameLayout();
-  if (!scene.panels.empty()) {
-    throw InputError(
-        scene::locationOf(scene, "panel") +
-        ": a study needs a single motion, but this scene has several, panels or a grid");
-  }
-  if (!physics::takesSteps(scene.simulation.model)) {
-    throw InputError(scene.name + ": the model \"" +
-                     std::string(nameOf(scene::kModels, scene.simulation.model)) +
-                     "\" takes no steps, so there are no steps to compare; "
-                     "choose another model, e.g. --set simulation.model=quaternion");
-  }
-  if (studiedSamples(scene, study, studiedMotion(scene, study)) < 2) {
-    throw InputError(scene.name + ": a single sample has no motion to study; make it longer");
-  }
+  const StudySettings& study = *scene.study;
+  std::vector<MotionSettings> motions;
+  for (const scene::StudyRun& run : study.runs) motions.push_back(run.motion);
+  Study result;
+  result.rows.resize(study.runs.size());
+  const auto run = [&](std::size_t i) {
+    const std::int64_t samples = studiedSamples(scene, study, motions[i]);
+    result.rows[i] = runOne(study.runs[i], study, samples, execution);
+  };
+  if (!makeRuns(motions, run, execution)) return std::nullopt;
+  result.orders = ordersOf(result.rows, study);
+  return result;
 }
 
-double TiltStudy::greatestDeviation() const {
-  double greatest = 0;
-  for (const TiltRow& row : rows) {
-    const double deviation = std::fabs(row.ratio() - 1);
-    if (!(deviation <= greatest)) greatest = deviation;
-    if (std::isnan(greatest)) break;
-  }
-  return greatest;
+std::string StudyExpectation::subject() const {
+  const std::string name(nameOf(expectation.measure));
+  if (!value.empty()) return name + " at " + value + (curve.empty() ? "" : ", " + curve);
+  return name + (curve.empty() ? "" : " of " + curve);
 }
 
-std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
-                                                const scene::StudySettings& study,
-                                                const Execution& execution) {
-  requireStudyable(scene, study);
-  const MotionSettings motion = studiedMotion(scene, study);
-  const std::int64_t samples = studiedSamples(scene, study, motion);
-  std::vector<MotionSettings> runs;
-  for (const physics::Integrator integrator : study.integrators) {
-    for (const int steps : study.steps) {
-      runs.push_back(withStepping(motion, integrator, steps));
+std::vector<StudyExpectation> expectedOf(const Study& result, const StudySettings& study) {
+  std::vector<StudyExpectation> all;
+  for (const scene::Expectation& one : study.expected) {
+    const auto isMeant = [&](const std::string& curve) {
+      return curve == one.at[1].value_or(curve);
+    };
+    if (one.measure == Measure::Order) {
+      for (const auto& [curve, fit] : result.orders)
+        if (isMeant(curve)) all.push_back({one, "", curve, fit.order});
+      continue;
+    }
+    const std::size_t place = *placeOf(one.measure, study);
+    for (const StudyRow& row : result.rows) {
+      if (row.value != one.at[0].value_or(row.value) || !isMeant(row.curve)) continue;
+      all.push_back({one, row.value, row.curve, row.measured[place]});
     }
   }
-  PrecisionStudy result;
-  result.rows.resize(runs.size());
-  const auto run = [&](std::size_t i) {
-    result.rows[i] = runPrecision(runs[i], samples, execution);
-  };
-  if (!makeRuns(runs, run, execution)) return std::nullopt;
-  for (const physics::Integrator integrator : study.integrators) {
-    result.orders.push_back(orderOf(integrator, result.rows));
-  }
-  return result;
-}
-
-std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
-                                      const Execution& execution) {
-  requireSameLayout();
-  const MotionSettings motion = studiedMotion(scene, study);
-  const std::int64_t samples = studiedSamples(scene, study, motion);
-  std::vector<MotionSettings> runs(study.tilts.size(), motion);
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    runs[i].initial.tilt->angle = study.tilts[i];
-  }
-  TiltStudy result;
-  result.rows.resize(runs.size());
-  const auto run = [&](std::size_t i) {
-    result.rows[i] = runTilt(runs[i], samples, execution.stop);
-  };
-  if (!makeRuns(runs, run, execution)) return std::nullopt;
-  return result;
+  return all;
 }
 
 }  // namespace rotatebook::study

@@ -1,78 +1,63 @@
-// Studies: a scene's motion run again and again, with other integrators and steps, or with other
-// tilts. Those over any key are in study/sweep.h.
+// Studies: a scene's motion run again and again with other values of one key or two, and what is
+// measured of each run.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "physics/motion_settings.h"
 #include "scene/scene.h"
 #include "scene/study_settings.h"
 #include "study/execution.h"
 #include "study/order_fit.h"
+#include "study/run_value.h"
 
 namespace rotatebook::study {
 
-/// The results of one integrator with one step. Numbers are NaN if the run didn't reach its end;
-/// the largest ones are over the frames.
-struct PrecisionRow {
-  physics::Integrator integrator = physics::Integrator::Euler;
-  double h = 0;            ///< Step. [s]
-  std::int64_t steps = 0;  ///< Total number.
+/// The results of one run. Numbers are NaN if the run didn't reach its end, but for diverges_at.
+struct StudyRow {
+  std::string value;  ///< As in scene::StudyRun.
+  std::string curve;  ///< As in scene::StudyRun.
   RunEnd end{};
-  double errorDeg = kNoNumber;       ///< Largest Sample::errorDeg. [degrees]
-  double finalErrorDeg = kNoNumber;  ///< The last Sample::errorDeg. [degrees]
-  double energyDrift = kNoNumber;    ///< Largest |E/E0 - 1|.
-  double momentumDrift = kNoNumber;  ///< Largest ||L|/|L0| - 1|.
-  int halfTurns = 0;                 ///< Only of a whole run.
-  double nsPerStep = kNoNumber;      ///< Measured by Execution; all else is computed. [ns]
+  double length = 0;  ///< Simulated time of a run that doesn't end early. [s]
+  double step = 0;    ///< Length of a step. [s]
+  /// In the order of scene::StudySettings::measures; the largest error in the place of an order.
+  std::vector<double> measured{};
+  double nsPerStep = kNoNumber;  ///< With an order; measured by Execution. [ns]
 };
 
-/// The order that an integrator's rows show.
-struct IntegratorOrder {
-  physics::Integrator integrator = physics::Integrator::Euler;
+/// The order that the runs of a curve show.
+struct CurveOrder {
+  std::string curve;
   OrderFit fit;
 };
 
-struct PrecisionStudy {
-  std::vector<PrecisionRow> rows;       ///< Integrator by integrator, in the order of the settings.
-  std::vector<IntegratorOrder> orders;  ///< One for each integrator.
+struct Study {
+  std::vector<StudyRow> rows;        ///< In the order of scene::StudySettings::runs.
+  std::vector<CurveOrder> orders{};  ///< One for each curve, if orders are measured.
 };
 
-/// The results of one tilt. Numbers are NaN if there is no interval.
-struct TiltRow {
-  double tilt = 0;  ///< [rad]
-  RunEnd end{};
-  int flips = 0;                ///< physics::flipTimes()
-  double interval = kNoNumber;  ///< Mean time from a flip to the next. [s]
-  double law = 0;               ///< physics::asymptoticFlipInterval() [s]
+/// A number that is expected of a run, or of a curve.
+struct StudyExpectation {
+  scene::Expectation expectation;
+  std::string value;  ///< As in StudyRow; empty of an order.
+  std::string curve;  ///< As in StudyRow.
+  double measured = kNoNumber;
 
-  double ratio() const { return interval / law; }
+  bool isMet() const { return expectation.bounds().hold(measured); }
+  /// Returns "diverges_at at 10, matrix", or "order of euler".
+  std::string subject() const;
 };
 
-struct TiltStudy {
-  std::vector<TiltRow> rows;  ///< In the order of the settings.
-
-  /// Returns the greatest |ratio - 1|; NaN if a row has no interval.
-  double greatestDeviation() const;
-};
-
-/// Throws InputError if the scene has panels, the model takes no steps, or the study only one
-/// sample of a motion.
-void requireStudyable(const scene::Scene& scene, const scene::StudySettings& study);
-
-/// Runs the scene's motion with each integrator and each step of `study`. Returns nothing after a
-/// stop. Everything but the times is the same however the runs are made. Throws like
-/// requireStudyable(), and like physics::simulate() except StepError.
-std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
-                                                const scene::StudySettings& study,
-                                                const Execution& execution);
-
-/// Runs the scene's motion from each tilt of `study`. Returns nothing after a stop. Throws like
+/// Makes the runs of a scene's study; `scene.study` must be present. Returns nothing after a stop.
+/// Everything but the computing times is the same however the runs are made. Throws like
 /// physics::simulate() except StepError.
-std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
-                                      const Execution& execution);
+std::optional<Study> runStudy(const scene::Scene& scene, const Execution& execution);
+
+/// Returns all that `study` expects, run by run for each of its expectations.
+std::vector<StudyExpectation> expectedOf(const Study& result, const scene::StudySettings& study);
+
+/// Returns the place of `measure` in StudyRow::measured; nothing if the study doesn't measure it.
+std::optional<std::size_t> placeOf(scene::Measure measure, const scene::StudySettings& study);
 
 }  // namespace rotatebook::study

@@ -3,10 +3,11 @@
 #include <cmath>
 
 #include "base/number_text.h"
-#include "scene/names.h"
 
 namespace rotatebook::study {
 namespace {
+
+constexpr const char* kStatusColumn = ",status";
 
 // Returns a number as a field after others; empty for NaN.
 std::string field(double value) {
@@ -18,19 +19,16 @@ double roundedToTenths(double nanoseconds) {
   return std::round(nanoseconds * 10) / 10;
 }
 
-std::string nameOf(physics::Integrator integrator) {
-  return std::string(scene::nameOf(scene::kIntegrators, integrator));
+std::string columnsOf(scene::Measure measure) {
+  if (measure == scene::Measure::Order) return ",h_s,error_deg,ns_per_step";
+  return "," + std::string(scene::nameOf(measure));
 }
 
-std::string precisionLine(const PrecisionRow& row) {
-  const bool whole = row.end.kind == RunEnd::Kind::Whole;
-  return nameOf(row.integrator) + field(row.h) + "," + std::to_string(row.steps) +
-         field(row.errorDeg) + field(row.finalErrorDeg) + field(row.energyDrift) +
-         field(row.momentumDrift) + "," + (whole ? std::to_string(row.halfTurns) : "") +
-         field(roundedToTenths(row.nsPerStep)) + "," + row.end.text() + "\n";
+std::string fieldsOf(const StudyRow& row, std::size_t place, scene::Measure measure) {
+  const std::string value = field(row.measured[place]);
+  if (measure != scene::Measure::Order) return value;
+  return field(row.step) + value + field(roundedToTenths(row.nsPerStep));
 }
-
-const std::string kStatusColumn = ",status";
 
 }  // namespace
 
@@ -38,35 +36,6 @@ bool isStudyHeader(std::string_view row) {
   return row.ends_with(kStatusColumn);
 }
 
-std::string precisionCsv(const PrecisionStudy& study) {
-  std::string text =
-      "integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,half_turns,ns_per_step" +
-      kStatusColumn + "\n";
-  for (const PrecisionRow& row : study.rows) text += precisionLine(row);
-  return text;
-}
-
-std::string ordersCsv(const PrecisionStudy& study) {
-  std::string text = "integrator,order,runs,shortest_h_s,longest_h_s\n";
-  for (const auto& [integrator, fit] : study.orders) {
-    const bool none = fit.runs == 0;
-    text += nameOf(integrator) + field(fit.order) + "," + std::to_string(fit.runs) +
-            field(none ? kNoNumber : fit.shortest) + field(none ? kNoNumber : fit.longest) + "\n";
-  }
-  return text;
-}
-
-std::string tiltCsv(const TiltStudy& study) {
-  std::string text = "tilt_rad,flips,interval_s,law_s,ratio" + kStatusColumn + "\n";
-  for (const TiltRow& row : study.rows) {
-    const bool ran = row.end.kind == RunEnd::Kind::Whole || row.end.kind == RunEnd::Kind::FewFlips;
-    text += shortestText(row.tilt) + "," + (ran ? std::to_string(row.flips) : "") +
-            field(row.interval) + field(row.law) + field(row.ratio()) + "," + row.end.text() + "\n";
-  }
-  return text;
-}
-
-/// Returns a field of a CSV, in quotes if it needs them. (RFC 4180)
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"") == text.npos) return text;
   std::string quoted = "\"";
@@ -74,16 +43,16 @@ std::string csvField(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
-  std::string text = sweep.x.key;
-  if (sweep.curves) text += "," + sweep.curves->key;
-  for (const scene::Measure measure : sweep.measures)
-    text += "," + std::string(scene::nameOf(measure));
-  text += kStatusColumn + "\n";
-  for (const SweepRow& row : result.rows) {
+std::string studyCsv(const Study& result, const scene::StudySettings& study) {
+  std::string text = study.x.key;
+  if (study.curves) text += "," + study.curves->key;
+  for (const scene::Measure measure : study.measures) text += columnsOf(measure);
+  text += std::string(kStatusColumn) + "\n";
+  for (const StudyRow& row : result.rows) {
     text += csvField(row.value);
-    if (sweep.curves) text += "," + csvField(row.curve);
-    for (const double value : row.measured) text += field(value);
+    if (study.curves) text += "," + csvField(row.curve);
+    for (std::size_t i = 0; i < study.measures.size(); ++i)
+      text += fieldsOf(row, i, study.measures[i]);
     text += "," + row.end.text() + "\n";
   }
   return text;

@@ -26,8 +26,7 @@ angular_velocity = [5.0, 0.0, 0.0]
 size = [64, 36]
 duration = 0.2
 [study]
-integrators = ["rk4"]
-steps = [1, 2]
+x = { key = "simulation.substeps", values = [1, 2] }
 )toml";
 
 /// scenes/a.toml with a picture beside it, and one in the folder above.

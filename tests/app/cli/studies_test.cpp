@@ -35,7 +35,8 @@ TEST_F(ShippedStudy, OfEveryIntegratorFindsItsOrder) {
 TEST_F(ShippedStudy, OfEveryIntegratorFindsNoneOfEulerOnTheFlippingBook) {
   const ChildResult result = study(
       "figc-work-precision", {"initial.angular_velocity=[4, 0, 0]", "initial.tilt=[0.001, 'z']",
-                              "study.integrators=['euler', 'rk4']", "clip.duration=20"});
+                              "study.curves.values=['euler', 'rk4']", "clip.duration=20",
+                              "study.expect=[{ of = 'order', curve = 'euler', min = 0.95 }]"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("\n  not met  order of euler: "));
 }
@@ -49,7 +50,7 @@ TEST_F(ShippedStudy, OfTheFlipIntervalFindsTheLaw) {
 TEST_F(ShippedStudy, OfTheFlipIntervalFindsNoLawInEulersMotion) {
   const ChildResult result = study("figb-flip-interval", {"simulation.model=quaternion"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  not met  flip_law: "));
+  EXPECT_THAT(result.output, HasSubstr("\n  not met  flip_law at "));
 }
 
 TEST_F(ShippedStudy, OfTheSpringsEndsWhereTheyStretch) {

@@ -293,7 +293,7 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
 
 /// Writes the files that `rotatebook study` leaves, with this result.
 void makeStudy(const fs::path& folder, const std::string& json) {
-  for (const char* ending : {".png", ".svg", ".pdf", ".csv", "-orders.csv"})
+  for (const char* ending : {".png", ".svg", ".pdf", ".csv"})
     touch(folder / (std::string("small-study") + ending));
   system::writeFileAtomically(folder / "small-study.json", json);
 }
@@ -304,25 +304,26 @@ std::string resultOf(const scene::Scene& scene, const std::string& expectations)
          expectations + "]}";
 }
 
-const std::vector<std::string> kStudy{"study.integrators=[\"euler\", \"rk4\"]",
-                                      "study.steps=[1, 2]"};
+const std::vector<std::string> kStudy{
+    "study.curves={ key = 'simulation.integrator', "
+    "values = ['euler', 'rk4'] }",
+    "study.x={ key = 'simulation.substeps', values = [1, 2] }"};
 
 TEST(StudyFigure, TakesWhatIsExpectedFromItsResult) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene(kStudy);
-  makeStudy(folder,
-            resultOf(scene, R"({"quantity": "order", "integrator": "rk4", "meaning": "<power>",
+  makeStudy(folder, resultOf(scene, R"({"quantity": "order of rk4", "meaning": "<power>",
                                 "min": 3.9, "max": null, "measured": 4.01, "met": true},
-                               {"quantity": "order", "integrator": "euler", "meaning": "power",
+                               {"quantity": "order of euler", "meaning": "power",
                                 "min": null, "max": 0.5, "measured": null, "met": false},
-                               {"quantity": "diverges_at at 1, 2", "integrator": null,
+                               {"quantity": "diverges_at at 1, 2",
                                 "meaning": "when", "min": 8, "max": null, "measured": "inf",
                                 "met": true})"));
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
   EXPECT_EQ(figure.thumbnail, "small-study.svg");
   EXPECT_THAT(figure.files, ElementsAre("small-study.png", "small-study.svg", "small-study.pdf",
-                                        "small-study.csv", "small-study-orders.csv"));
+                                        "small-study.csv"));
   const std::string& text = figure.section.text;
   EXPECT_THAT(text, HasSubstr("order of rk4"));
   EXPECT_THAT(text, HasSubstr("&lt;power&gt;</span></th><td>at least 3.9</td><td>4.01</td><td "
@@ -352,18 +353,14 @@ TEST(StudyFigure, RefusesAnotherResult) {
   for (const std::string& json : {resultOf(scene, "7"), resultOf(scene, "{}"), std::string("[]"),
                                   std::string(), std::string("\0\xff,\n,,\n", 7)})
     EXPECT_EQ(refusalOf(json, scene), refusal) << json;
-  for (const char* change : {"study.steps=[1, 4]", "study.integrators=[\"rk4\"]", "clip.duration=7",
-                             "study.orders.rk4.min=3.9"})
+  for (const char* change : {"study.x.values=[1, 4]", "study.curves.values=[\"rk4\"]",
+                             "clip.duration=7", "study.expect=[{ of = 'order', min = 3.9 }]"})
     EXPECT_EQ(refusalOf(right, smallScene({kStudy[0], kStudy[1], change})), refusal) << change;
 }
 
-// The spin that a study of tilts needs.
-const std::vector<std::string> kFlips{"initial.angular_velocity=[5, 0, 0]",
-                                      "initial.tilt=[0.1, \"z\"]"};
-
 TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {
   const fs::path folder = emptyFolder();
-  const scene::Scene scene = smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"});
+  const scene::Scene scene = smallScene(kStudy);
   EXPECT_THAT(messageOf(scene, folder), AllOf(HasSubstr("small-study.csv is missing"),
                                               HasSubstr("rotatebook study scenes/small.toml -o ")));
 }

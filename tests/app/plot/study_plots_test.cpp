@@ -14,37 +14,35 @@
 #include "base/error.h"
 #include "plot/apart.h"
 #include "plot/plot.h"
+#include "scene/names.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::plot {
 namespace {
 
-using physics::Integrator;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
 
-study::PrecisionRow row(Integrator integrator, double h, double errorDeg) {
-  study::PrecisionRow result;
-  result.integrator = integrator;
-  result.h = h;
-  result.errorDeg = errorDeg;
+study::StudyRow row(const std::string& curve, double step, double errorDeg) {
+  study::StudyRow result{"", curve};
+  result.step = step;
+  result.measured = {errorDeg};
   result.nsPerStep = 100;
   return result;
 }
 
-study::PrecisionRow failed(Integrator integrator, double h) {
-  study::PrecisionRow result;
-  result.integrator = integrator;
-  result.h = h;
+study::StudyRow failed(const std::string& curve, double step) {
+  study::StudyRow result = row(curve, step, study::kNoNumber);
   result.end = {study::RunEnd::Kind::NoConvergence};
   return result;
 }
 
-study::PrecisionStudy studyOf(const std::vector<study::PrecisionRow>& rows,
-                              const std::vector<study::IntegratorOrder>& orders) {
-  return {rows, orders};
+scene::StudySettings ofOrders() {
+  scene::StudySettings settings;
+  settings.measures = {scene::Measure::Order};
+  return settings;
 }
 
 /// Draws a plot, whose texts must be apart and on the sheet; returns them.
@@ -56,24 +54,24 @@ std::vector<std::string> textsOn(const Plot& plot) {
   return texts;
 }
 
-TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
-  const auto study = studyOf({row(Integrator::Rk4, 0.1, 1), row(Integrator::Rk4, 0.01, 1e-4),
-                              row(Integrator::Midpoint, 0.1, 2), failed(Integrator::Midpoint, 1)},
-                             {{Integrator::Rk4, {4.0, 2, 0.01, 0.1}}, {Integrator::Midpoint, {}}});
+TEST(OrderPlot, NamesIntegratorsOrdersAndAxes) {
+  const auto study = study::Study{
+      {row("rk4", 0.1, 1), row("rk4", 0.01, 1e-4), row("midpoint", 0.1, 2), failed("midpoint", 1)},
+      {{"rk4", {4.0, 2, 0.01, 0.1}}, {"midpoint", {}}}};
   EXPECT_THAT(
-      textsOn(plotOf(study, {})),
+      textsOn(plotOf(study, ofOrders())),
       IsSupersetOf({"rk4  4.00", "midpoint  –", "fitted order", "step  [s] →",
                     "↑ largest attitude error  [degrees]",
                     "computing time for a second of motion  [ns] →", "slope 4", "0.1", "10⁻³"}));
 }
 
-TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
-  auto study = studyOf({row(Integrator::Rk4, 0.2, 0.3), row(Integrator::Rk4, 0.01, 4e-5),
-                        row(Integrator::Midpoint, 0.05, 2), row(Integrator::Midpoint, 0.02, 0.5),
-                        failed(Integrator::Midpoint, 1), row(Integrator::Midpoint, 0.01, 0)},
-                       {{Integrator::Rk4, {}}, {Integrator::Midpoint, {}}});
+TEST(OrderPlot, HasEachRunAtItsStepItsTimeAndItsError) {
+  auto study =
+      study::Study{{row("rk4", 0.2, 0.3), row("rk4", 0.01, 4e-5), row("midpoint", 0.05, 2),
+                    row("midpoint", 0.02, 0.5), failed("midpoint", 1), row("midpoint", 0.01, 0)},
+                   {{"rk4", {}}, {"midpoint", {}}}};
   study.rows[3].nsPerStep = 700;
-  const Plot plot = plotOf(study, {});
+  const Plot plot = plotOf(study, ofOrders());
   ASSERT_EQ(plot.panels.size(), 2U);
   EXPECT_THAT(plot.panels[0].series[0].points, ElementsAre(Point(0.2, 0.3), Point(0.01, 4e-5)));
   EXPECT_THAT(plot.panels[0].series[1].points, ElementsAre(Point(0.05, 2), Point(0.02, 0.5)));
@@ -91,11 +89,10 @@ TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
 }
 
 // A line of slope 2 rises by two decades in one, and ends at the edges of its panel.
-TEST(PrecisionPlot, HasGuidesOfTheRoundedOrders) {
-  const auto study =
-      studyOf({row(Integrator::Midpoint, 0.1, 1), row(Integrator::Midpoint, 0.001, 1e-4)},
-              {{Integrator::Midpoint, {1.93, 2, 0.01, 0.1}}});
-  const Plot plot = plotOf(study, {});
+TEST(OrderPlot, HasGuidesOfTheRoundedOrders) {
+  const auto study = study::Study{{row("midpoint", 0.1, 1), row("midpoint", 0.001, 1e-4)},
+                                  {{"midpoint", {1.93, 2, 0.01, 0.1}}}};
+  const Plot plot = plotOf(study, ofOrders());
   for (const auto& [panel, slope] : {std::pair{plot.panels[0], 2.0}, {plot.panels[1], -2.0}}) {
     ASSERT_EQ(panel.lines.size(), 2U);
     const Point &from = panel.lines[0], &to = panel.lines[1];
@@ -107,86 +104,54 @@ TEST(PrecisionPlot, HasGuidesOfTheRoundedOrders) {
   }
 }
 
-TEST(PrecisionPlot, IsDrawnOfOneRunAndWithoutAnyError) {
-  const std::vector<study::IntegratorOrder> orders{{Integrator::Euler, {}}};
-  const Plot one = plotOf(studyOf({row(Integrator::Euler, 0.1, 1)}, orders), {});
+TEST(OrderPlot, IsDrawnOfOneRunAndWithoutAnyError) {
+  const std::vector<study::CurveOrder> orders{{"euler", {}}};
+  const Plot one = plotOf(study::Study{{row("euler", 0.1, 1)}, orders}, ofOrders());
   EXPECT_THAT(one.legend, IsEmpty());
   EXPECT_THAT(textsOn(one), IsSupersetOf({"fitted order", "0.1"}));
-  EXPECT_THAT(textsOn(plotOf(studyOf({row(Integrator::Euler, 0.1, 0)}, orders), {})),
+  EXPECT_THAT(textsOn(plotOf(study::Study{{row("euler", 0.1, 0)}, orders}, ofOrders())),
               IsSupersetOf({"euler  –"}));
 }
 
-TEST(PrecisionPlot, HasALookOfItsOwnForEveryIntegratorOfAModel) {
-  for (const physics::Model model : {physics::Model::Particles, physics::Model::Quaternion}) {
-    study::PrecisionStudy study;
-    for (const Integrator integrator : physics::integratorsOf(model)) {
-      study.rows.push_back(row(integrator, 0.1, 1));
-      study.orders.push_back({integrator, {1.0, 2, 0.01, 0.1}});
-    }
-    const Plot plot = plotOf(study, {});
-    std::set<std::tuple<double, double, double>> colours;
-    std::set<std::tuple<int, double, bool>> shapes;
-    for (const auto& [name, marker, points, hasLine, hasMarkers] : plot.panels[0].series) {
-      colours.emplace(marker.colour.red, marker.colour.green, marker.colour.blue);
-      shapes.emplace(marker.corners, marker.turned, marker.isOpen);
-    }
-    EXPECT_EQ(colours.size(), study.orders.size());
-    EXPECT_EQ(shapes.size(), study.orders.size());
-    textsOn(plot);
+TEST(OrderPlot, HasALookOfItsOwnForEveryIntegratorOfAModel) {
+  study::Study study;
+  for (const physics::Integrator integrator : physics::integratorsOf(physics::Model::Quaternion)) {
+    const std::string name(scene::nameOf(scene::kIntegrators, integrator));
+    study.rows.push_back(row(name, 0.1, 1));
+    study.orders.push_back({name, {1.0, 2, 0.01, 0.1}});
   }
+  const Plot plot = plotOf(study, ofOrders());
+  std::set<std::tuple<double, double, double>> colours;
+  std::set<std::tuple<int, double, bool>> shapes;
+  for (const auto& [name, marker, points, hasLine, hasMarkers] : plot.panels[0].series) {
+    colours.emplace(marker.colour.red, marker.colour.green, marker.colour.blue);
+    shapes.emplace(marker.corners, marker.turned, marker.isOpen);
+  }
+  EXPECT_EQ(colours.size(), study.orders.size());
+  EXPECT_EQ(shapes.size(), study.orders.size());
+  textsOn(plot);
 }
 
-TEST(TiltPlot, HasMeasuredAndLawAtTheirTilts) {
-  study::TiltStudy study;
-  study.rows = {{0.2, {}, 4, 2.0, 2.1},
-                {0.03, {}, 4, 3.5, 3.4},
-                {0.01, {study::RunEnd::Kind::FewFlips}},
-                {0.001, {}, 4, 5.0, 5.0}};
-  const Plot plot = plotOf(study, {});
-  EXPECT_THAT(textsOn(plot), IsSupersetOf({"logarithmic law", "measured", "tilt  [rad] →",
-                                           "↑ time from a flip to the next  [s]",
-                                           "↑ | measured / law − 1 |", "slope 2"}));
-  ASSERT_EQ(plot.panels.size(), 2U);
-  EXPECT_THAT(plot.panels[0].series[0].points,
-              ElementsAre(Point(0.001, 5), Point(0.03, 3.4), Point(0.2, 2.1)));
-  EXPECT_THAT(plot.panels[0].series[1].points,
-              ElementsAre(Point(0.001, 5), Point(0.03, 3.5), Point(0.2, 2)));
-  EXPECT_THAT(plot.panels[1].series[0].points,
-              ElementsAre(Point(0.03, std::abs(3.5 / 3.4 - 1)), Point(0.2, std::abs(2 / 2.1 - 1))));
-  EXPECT_EQ(plot.panels[0].x.scale, scene::Scale::Logarithmic);
-  EXPECT_EQ(plot.panels[0].y.from, 0);
-}
-
-TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {
-  study::TiltStudy study;
-  study.rows = {{0.1, {}, 4, 2.0, 2.0}};
-  EXPECT_THAT(textsOn(plotOf(study, {})), IsSupersetOf({"measured"}));
-}
-
-scene::Sweep sweepOver(const scene::Axis& axis, const std::vector<scene::Measure>& measures) {
-  scene::Sweep sweep;
-  sweep.x = axis;
-  sweep.measures = measures;
-  return sweep;
-}
-
-scene::StudySettings settingsOf(const scene::Sweep& sweep) {
+scene::StudySettings studyOver(const scene::Axis& axis,
+                               const std::vector<scene::Measure>& measures) {
   scene::StudySettings settings;
-  settings.sweep = sweep;
+  settings.x = axis;
+  settings.measures = measures;
   return settings;
 }
 
-TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
-  scene::Sweep sweep = sweepOver({"simulation.stiffness", {{"1", "1", 1}, {"100", "100", 100}}},
-                                 {scene::Measure::DivergesAt, scene::Measure::EnergyRatio});
-  sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
-  study::SweepStudy study;
+TEST(StudyPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
+  scene::StudySettings settings =
+      studyOver({"simulation.stiffness", {{"1", "1", 1}, {"100", "100", 100}}},
+                {scene::Measure::DivergesAt, scene::Measure::EnergyRatio});
+  settings.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
+  study::Study study;
   for (const char* model : {"matrix", "quaternion"}) {
     study.rows.push_back(
-        {"1", model, {study::RunEnd::Kind::Diverged, 2}, 20, {2, study::kNoNumber}});
-    study.rows.push_back({"100", model, {}, 20, {std::numeric_limits<double>::infinity(), 3}});
+        {"1", model, {study::RunEnd::Kind::Diverged, 2}, 20, 0.1, {2, study::kNoNumber}});
+    study.rows.push_back({"100", model, {}, 20, 0.1, {std::numeric_limits<double>::infinity(), 3}});
   }
-  const Plot plot = plotOf(study, settingsOf(sweep));
+  const Plot plot = plotOf(study, settings);
   ASSERT_EQ(plot.panels.size(), 2U);
   ASSERT_EQ(plot.panels[0].series.size(), 4U);
   EXPECT_THAT(plot.panels[0].series[0].points, ElementsAre(Point(1, 2)));
@@ -198,26 +163,25 @@ TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
                                            "↑ largest | E / E₀ − 1 |", "not within the run"}));
 }
 
-TEST(SweepPlot, HasAPlaceForEachWord) {
-  const scene::Sweep sweep =
-      sweepOver({"simulation.model", {{"", "matrix"}, {"", "a long name that takes two lines"}}},
+TEST(StudyPlot, HasAPlaceForEachWord) {
+  const scene::StudySettings settings =
+      studyOver({"simulation.model", {{"", "matrix"}, {"", "a long name that takes two lines"}}},
                 {scene::Measure::Stretch, scene::Measure::ErrorDeg, scene::Measure::TiltDeg,
                  scene::Measure::HalfTurns, scene::Measure::EnergyRatio});
-  study::SweepStudy study;
-  study.rows = {{"matrix", "", {}, 20, {4e-6, 1, 2, 3, 4}},
-                {"a long name that takes two lines", "", {}, 20, {0.5, 1, 2, 3, 4}}};
-  const Plot plot = plotOf(study, settingsOf(sweep));
+  study::Study study;
+  study.rows = {{"matrix", "", {}, 20, 0.1, {4e-6, 1, 2, 3, 4}},
+                {"a long name that takes two lines", "", {}, 20, 0.1, {0.5, 1, 2, 3, 4}}};
+  const Plot plot = plotOf(study, settings);
   EXPECT_THAT(textsOn(plot), IsSupersetOf({"matrix", "a long name that takes two lines"}));
   EXPECT_FALSE(plot.panels[0].series[0].hasLine);
 }
 
-TEST(SweepPlot, IsDrawnWithoutAnyResult) {
-  const scene::Sweep sweep =
-      sweepOver({"simulation.substeps", {{"1", "1", 1}}}, {scene::Measure::Stretch});
-  study::SweepStudy study;
-  study.rows = {{"1", "", {study::RunEnd::Kind::Diverged, 2}, 20, {study::kNoNumber}}};
-  EXPECT_THAT(textsOn(plotOf(study, settingsOf(sweep))),
-              IsSupersetOf({"1", "simulation.substeps →"}));
+TEST(StudyPlot, IsDrawnWithoutAnyResult) {
+  const scene::StudySettings settings =
+      studyOver({"simulation.substeps", {{"1", "1", 1}}}, {scene::Measure::Stretch});
+  study::Study study;
+  study.rows = {{"1", "", {study::RunEnd::Kind::Diverged, 2}, 20, 0.1, {study::kNoNumber}}};
+  EXPECT_THAT(textsOn(plotOf(study, settings)), IsSupersetOf({"1", "simulation.substeps →"}));
 }
 
 TEST(StudyLetters, AreRequiredOfTheSceneAndItsValues) {
@@ -226,9 +190,9 @@ TEST(StudyLetters, AreRequiredOfTheSceneAndItsValues) {
       "x = { key = 'simulation.model', values = ['matrix', 'quaternion'] }\n"
       "measure = ['error_deg']\n",
       "s.toml");
-  requireStudyLetters(scene, *scene.study);
-  scene.study->sweep->x.values[1].label = "\xe4\xb8\xad";
-  EXPECT_THROW(requireStudyLetters(scene, *scene.study), InputError);
+  requireStudyLetters(scene);
+  scene.study->x.values[1].label = "\xe4\xb8\xad";
+  EXPECT_THROW(requireStudyLetters(scene), InputError);
 }
 
 }  // namespace

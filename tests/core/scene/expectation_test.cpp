@@ -99,8 +99,8 @@ TEST(Measures, ShowNoOtherQuantity) {
 TEST(Measures, StandInTheirRows) {
   for (std::size_t i = 0; i < kMeasureRows.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(kMeasureRows[i].measure), i);
-    EXPECT_FALSE(kMeasureRows[i].label.empty()) << kMeasureRows[i].name;
-    EXPECT_EQ(kMeasureRows[i].studied.empty(), kMeasureRows[i].sections == MeasureSections::Maps);
+    EXPECT_FALSE(kMeasureRows[i].studied.empty());
+    EXPECT_EQ(kMeasureRows[i].label.empty(), kMeasureRows[i].sections == MeasureSections::Studies);
   }
 }
 

@@ -108,31 +108,35 @@ TEST(Steps, OfATimeLapseCount) {
 
 TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(
-      errorOf("clip.fps = 60\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
-              "steps = [1000000]"),
-      "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
+      errorOf("clip.fps = 60\nclip.duration = 100\n[study]\n"
+              "x = { key = 'simulation.substeps', values = [1000000] }\n"
+              "curves = { key = 'simulation.integrator', values = ['rk4', 'dmv6'] }"),
+      "a.toml:4:5: the study takes 12000000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
   EXPECT_EQ(
       errorOf("clip.fps = 60\nclip.duration = 100\nsimulation.substeps = 1000000\n"
-              "[study]\ntilts = [0.1, 0.01]",
+              "[study]\nx = { key = 'initial.tilt', values = [0.1, 0.01] }\n"
+              "measure = ['flip_law']",
               {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
-      "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
+      "a.toml:5:5: the study takes 12000000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
   EXPECT_EQ(
-      errorOf("[study]\nduration = 200\ninterval = 0.01\nintegrators = ['rk4']\n"
-              "steps = [1000000]"),
-      "a.toml:5:9: the study takes 32001000000 integration steps; the limit is 10000000000 in "
+      errorOf("[study]\nduration = 200\ninterval = 0.01\nmeasure = ['order']\n"
+              "x = { key = 'simulation.substeps', values = [1000000] }"),
+      "a.toml:5:5: the study takes 32001000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
 }
 
 TEST(Samples, OfAStudyAreLimited) {
-  const std::string study = "[study]\nsteps = [1]\ninterval = ";
-  EXPECT_EQ(errorOf(study + "0.001\nduration = 999.999"), "no error");
-  EXPECT_EQ(errorOf(study + "0.001\nduration = 1000"),
-            "a.toml:4:12: the study takes 1000001 samples of a motion; the limit is 1000000: lower "
+  const std::string study =
+      "study.measure = ['half_turns']\nstudy.x = { key = 'simulation.substeps', values = [1] }\n"
+      "study.interval = ";
+  EXPECT_EQ(errorOf(study + "0.001\nstudy.duration = 999.999"), "no error");
+  EXPECT_EQ(errorOf(study + "0.001\nstudy.duration = 1000"),
+            "a.toml:4:18: the study takes 1000001 samples of a motion; the limit is 1000000: lower "
             "study.duration, or raise study.interval");
   EXPECT_EQ(errorOf(study + "1e-300"),
-            "a.toml:3:12: the study takes 1000000000000001 samples of a motion; the limit is "
+            "a.toml:3:18: the study takes 1000000000000001 samples of a motion; the limit is "
             "1000000: lower study.duration, or raise study.interval");
 }
 

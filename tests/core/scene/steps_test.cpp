@@ -62,8 +62,8 @@ TEST(Steps, VaryInGridsStudiesAndMaps) {
   const Scene study = sceneFrom(
       "simulation.substeps = 3\n[study]\nx = { key = 'simulation.step', values = [0.01, 0.001] }\n"
       "measure = ['half_turns']");
-  EXPECT_EQ(study.study->sweep->runs[1].motion.simulation.steps().length(), 0.001);
-  EXPECT_EQ(study.study->sweep->runs[1].motion.simulation.timePerFrame, 1.0 / 60);
+  EXPECT_EQ(study.study->runs[1].motion.simulation.steps().length(), 0.001);
+  EXPECT_EQ(study.study->runs[1].motion.simulation.timePerFrame, 1.0 / 60);
   EXPECT_EQ(errorOf("[map]\nx = { key = 'simulation.step', from = 0.001, to = 0.1 }\n"
                     "y = { key = 'initial.angular_velocity.2', from = 1, to = 2 }\n"
                     "measure = 'half_turns'"),
@@ -71,8 +71,10 @@ TEST(Steps, VaryInGridsStudiesAndMaps) {
 }
 
 TEST(Steps, OfAStudyAreThoseOfTheMotionWhateverItsSamples) {
-  const Scene scene = sceneFrom("[study]\ninterval = 0.25\nsteps = [1]");
-  const physics::MotionSettings motion = studiedMotion(scene, *scene.study);
+  const Scene scene = sceneFrom(
+      "[study]\ninterval = 0.25\nx = { key = 'simulation.substeps', values = [64] }\n"
+      "measure = ['half_turns']");
+  const physics::MotionSettings& motion = scene.study->runs[0].motion;
   EXPECT_EQ(motion.simulation.timePerFrame, 0.25);
   EXPECT_EQ(motion.simulation.steps().length(), kStep);
 }
@@ -121,9 +123,10 @@ TEST(Messages, NameAllMistakesOfAList) {
   const std::string message = errorOf("[overlay]\nshow = ['half-turns', 'Omega']");
   EXPECT_THAT(message, HasSubstr("did you mean \"half_turns\"?"));
   EXPECT_THAT(message, HasSubstr("did you mean \"omega\"?"));
-  const std::string study = errorOf("[study]\nintegrators = ['rk5', 'eulr']\nsteps = [0, 1, -1]");
-  for (const char* part : {"\"rk5\"", "\"eulr\"", "not 0", "not -1"})
-    EXPECT_THAT(study, HasSubstr(part));
+  const std::string study = errorOf(
+      "[study]\ncurves = { key = 'simulation.integrator', values = ['rk5', 'eulr'] }\n"
+      "x = { key = 'simulation.substeps', values = [1] }");
+  for (const char* part : {"\"rk5\"", "\"eulr\""}) EXPECT_THAT(study, HasSubstr(part));
   EXPECT_THAT(errorOf("body.size = ['1 foot', 2, -3]"),
               testing::AllOf(HasSubstr("\"1 foot\""), HasSubstr("not -3")));
 }

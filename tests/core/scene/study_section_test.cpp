@@ -1,6 +1,9 @@
+// [study]: what is read, what each run's motion is, and what is refused.
+#include <limits>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/parse.h"
@@ -9,176 +12,286 @@
 namespace rotatebook::scene {
 namespace {
 
-using physics::Integrator;
 using physics::Model;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
-constexpr const char* kFlipping =
-    "[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n[study]\n";
-
-/// The message about [study] with these lines, in the third line and on, of a scene of particles.
-std::string errorOfParticles(const std::string& lines) {
-  return errorOf("[simulation]\nmodel = 'particles'\n[study]\n" + lines);
+StudySettings studyOf(const std::string& lines, const std::vector<std::string>& overrides = {}) {
+  return *sceneFrom("[study]\n" + lines, overrides).study;
 }
 
-std::string errorOfTilts(const std::string& lines) {
-  return errorOfText(kFlipping + lines);
+std::vector<std::string> labelsOf(const Axis& axis) {
+  std::vector<std::string> labels;
+  for (const AxisValue& value : axis.values) labels.push_back(value.label);
+  return labels;
+}
+
+std::string overSubsteps(const std::string& values) {
+  return "x = { key = 'simulation.substeps', " + values + " }\n";
+}
+
+/// The labels of the values of a stiffness.
+std::vector<std::string> stiffnesses(const std::string& values) {
+  return labelsOf(studyOf("measure = ['stretch']\n"
+                          "curves = { key = 'simulation.model', values = ['particles'] }\n"
+                          "x = { key = 'simulation.stiffness', " +
+                          values + " }")
+                      .x);
+}
+
+/// The message about [study] over substeps with these values, in the third line, and these lines
+/// thereafter.
+std::string errorOfStudy(const std::string& values, const std::string& lines = "") {
+  return errorOf("[study]\nmeasure = ['error_deg']\n" + overSubsteps(values) + lines);
 }
 
 TEST(StudySection, IsNotThereUnlessWritten) {
   EXPECT_FALSE(sceneFrom("").study.has_value());
 }
 
-TEST(StudySection, HasEveryIntegratorAndElevenStepsByDefault) {
-  const Scene rigid = sceneFrom("[study]");
-  ASSERT_TRUE(rigid.study.has_value());
-  EXPECT_EQ(*rigid.study, defaultStudy(Model::Quaternion));
-  EXPECT_EQ(rigid.study->integrators.size(), 14U);
-  EXPECT_EQ(rigid.study->steps, (std::vector{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024}));
-  EXPECT_EQ(sceneFrom("simulation.model = 'particles'\n[study]").study->integrators,
-            (std::vector{Integrator::Euler, Integrator::Rk4, Integrator::SymplecticEuler,
-                         Integrator::Verlet}));
+TEST(StudySection, FindsTheOrdersOfEveryIntegratorByDefault) {
+  const StudySettings rigid = studyOf("");
+  EXPECT_EQ(rigid.x.key, "simulation.substeps");
+  EXPECT_THAT(labelsOf(rigid.x),
+              ElementsAre("1", "2", "4", "8", "16", "32", "64", "128", "256", "512", "1024"));
+  EXPECT_EQ(rigid.curves->key, "simulation.integrator");
+  EXPECT_EQ(rigid.curves->values.size(), 14U);
+  EXPECT_EQ(rigid.runs.size(), 14U * 11);
+  EXPECT_THAT(rigid.measures, ElementsAre(Measure::Order));
+  const StudySettings particles = *sceneFrom("simulation.model = 'particles'\n[study]").study;
+  EXPECT_THAT(labelsOf(*particles.curves),
+              ElementsAre("euler", "rk4", "symplectic-euler", "verlet"));
+  EXPECT_FALSE(studyOf("measure = ['half_turns']").curves.has_value());
 }
 
-TEST(StudySection, ReadsIntegratorsStepsAndOrders) {
-  const Scene scene = sceneFrom(
-      "[study]\nintegrators = ['rk4', 'dmv6']\nsteps = [5, 1]\n"
-      "orders = { dmv6 = { min = 5.5, max = 6.5 }, rk4 = { min = 3 } }");
-  EXPECT_EQ(scene.study->integrators, (std::vector{Integrator::Rk4, Integrator::Dmv6}));
-  EXPECT_EQ(scene.study->steps, (std::vector{5, 1}));
-  EXPECT_EQ(scene.study->orders, (std::vector<ExpectedOrder>{{Integrator::Dmv6, {5.5, 6.5}},
-                                                             {Integrator::Rk4, {3, {}}}}));
-  EXPECT_FALSE(scene.study->isOfTilts());
+TEST(StudySection, FindsOrdersFromDifferentStepsAlone) {
+  EXPECT_EQ(studyOf("x = { key = 'simulation.step', values = ['1 ms', '2 ms'] }").runs.size(), 28U);
+  EXPECT_EQ(errorOf("[study]\nx = { key = 'body.mass', values = [1, 2] }"),
+            "a.toml:2:5: order, which is measured unless study.measure says otherwise, is found "
+            "from different steps, but study.x gives two runs the same; vary simulation.substeps "
+            "or simulation.step, or state another measure");
+  const std::string expected = "[study]\nexpect = [{ of = 'order', ";
+  EXPECT_EQ(errorOf(expected + "x = 1, min = 3 }]"),
+            "a.toml:2:31: order is of a whole curve; leave x out");
+  EXPECT_EQ(errorOf(expected + "curve = 'rk4', min = 3 }]"), "no error");
 }
 
-TEST(StudySection, KnowsTheIntegratorsOfParticlesByName) {
-  const Scene scene = sceneFrom(
-      "simulation.model = 'particles'\n[study]\n"
-      "integrators = ['verlet', 'rk4', 'symplectic-euler']");
-  EXPECT_EQ(scene.study->integrators,
-            (std::vector{Integrator::Verlet, Integrator::Rk4, Integrator::SymplecticEuler}));
-}
-
-TEST(StudySection, ForgetsTheOrderOfAnIntegratorThatIsLeftOut) {
-  const Scene scene = sceneFrom("[study]\norders.rk4.min = 3\norders.cf4.min = 3",
-                                {"study.integrators=[\"euler\", \"cf4\"]"});
-  EXPECT_EQ(scene.study->orders, (std::vector<ExpectedOrder>{{Integrator::Cf4, {3, {}}}}));
-}
-
-TEST(StudySection, ReadsTilts) {
-  const Scene scene = parseScene(std::string(kFlipping) +
-                                     "tilts = [0.1, 1e-8]\n"
-                                     "flip_law = { max = 0.01 }",
-                                 "a.toml");
-  EXPECT_TRUE(scene.study->isOfTilts());
-  EXPECT_EQ(scene.study->tilts, (std::vector{0.1, 1e-8}));
-  EXPECT_EQ(scene.study->flipLaw, (Bounds{{}, 0.01}));
-  EXPECT_TRUE(scene.study->integrators.empty());
-  EXPECT_TRUE(scene.study->steps.empty());
-}
-
-TEST(StudySection, ReadsBackFromItsText) {
-  for (const std::string lines :
-       {"", "steps = [3]\nintegrators = ['cf4']", "orders.rk4 = { min = 3.5, max = 4.5 }"}) {
-    const Scene scene = sceneFrom("[study]\n" + lines);
-    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").study, scene.study) << sceneText(scene);
-  }
-  const Scene tilts =
-      parseScene(std::string(kFlipping) + "tilts = [0.1, 1e-8]\nflip_law.max = 0.01", "a.toml");
-  EXPECT_EQ(parseScene(sceneText(tilts), "a.toml").study, tilts.study) << sceneText(tilts);
+TEST(StudySection, RefusesOrdersOfAMotionWithoutSteps) {
+  EXPECT_EQ(errorOf("simulation.model = 'exact'\n[study]"),
+            "a.toml:2:1: the model \"exact\" takes no steps, whose order [study] finds without a "
+            "measure; state x and measure, or choose another model");
+  EXPECT_EQ(errorOf("simulation.model = 'exact'\n[study]\nmeasure = ['order']\n"
+                    "x = { key = 'body.mass', values = [1] }"),
+            "a.toml:3:11: study.measure has order: the motion takes no steps; choose another "
+            "model, e.g. simulation.model = \"quaternion\"");
 }
 
 TEST(StudySection, RefusesIntegratorsThatTheModelDoesNotHave) {
-  const std::string valid =
-      "study.integrators must be \"euler\", \"rk4\", \"symplectic-euler\" or \"verlet\", not ";
-  EXPECT_EQ(errorOfParticles("integrators = ['euler', 'dmv6']"),
-            "a.toml:4:25: " + valid + "\"dmv6\"");
-  EXPECT_EQ(errorOfParticles("integrators = ['verlett']"),
-            "a.toml:4:16: " + valid + "\"verlett\"; did you mean \"verlet\"?");
-  EXPECT_EQ(errorOfParticles("integrators = [4]"), "a.toml:4:16: " + valid + "4");
-  EXPECT_EQ(errorOfParticles("orders.cf4.min = 4"),
-            "a.toml:4:8: unknown key \"cf4\" in [study.orders]; valid are \"euler\", "
-            "\"rk4\", \"symplectic-euler\" and \"verlet\"");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\n[study]\n"
+                    "curves = { key = 'simulation.integrator', values = ['euler', 'dmv6'] }"),
+            "a.toml:4:62: simulation.integrator = \"dmv6\", but the model \"particles\" has "
+            "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
 }
 
-TEST(StudySection, RefusesListsThatAreNone) {
-  const std::string integrators =
-      "a.toml:4:15: study.integrators must be a list of integrators, such as [\"euler\", "
-      "\"rk4\"], not ";
-  EXPECT_EQ(errorOfParticles("integrators = []"), integrators + "[]");
-  EXPECT_EQ(errorOfParticles("integrators = 'euler'"), integrators + "\"euler\"");
-  EXPECT_EQ(errorOfParticles("steps = 4"),
-            "a.toml:4:9: study.steps must be a list of substeps, such as [1, 2, 4], not 4");
-  EXPECT_EQ(errorOfTilts("tilts = []"),
-            "a.toml:5:9: study.tilts must be a list of angles, such as [0.1, 0.01], not []");
+TEST(StudySection, RefusesASingleSample) {
+  EXPECT_EQ(errorOf("clip.duration = 0.01\n[study]"),
+            "a.toml:2:1: [study] takes a single sample of a motion, which shows none; raise "
+            "study.duration or clip.duration");
 }
 
-TEST(StudySection, RefusesSomethingTwice) {
-  EXPECT_EQ(errorOfParticles("steps = [1, 2, 1]"), "a.toml:4:16: study.steps has 1 twice");
-  EXPECT_EQ(errorOfParticles("integrators = ['rk4', 'rk4']"),
-            "a.toml:4:23: study.integrators has \"rk4\" twice");
+TEST(StudySection, HasAMotionForEachValue) {
+  const StudySettings study =
+      studyOf(overSubsteps("values = [10, 1000]") + "measure = ['diverges_at', 'half_turns']");
+  ASSERT_EQ(study.runs.size(), 2U);
+  EXPECT_EQ(study.runs[0].value, "10");
+  EXPECT_EQ(study.runs[0].motion.simulation.substeps, 10);
+  EXPECT_EQ(study.runs[1].motion.simulation.substeps, 1000);
+  physics::MotionSettings rest = sceneFrom("").motion();
+  rest.simulation.substeps = 1000;
+  EXPECT_EQ(study.runs[1].motion, rest);
+  EXPECT_THAT(study.measures, ElementsAre(Measure::DivergesAt, Measure::HalfTurns));
+  EXPECT_EQ(study.x.values[0].number, 10.0);
 }
 
-TEST(StudySection, RefusesNumbersOutOfRange) {
-  const std::string steps = "study.steps must be an integer from 1 to 1000000, not ";
-  EXPECT_EQ(errorOfParticles("steps = [0]"), "a.toml:4:10: " + steps + "0");
-  EXPECT_EQ(errorOfParticles("steps = [2, 1000001]"), "a.toml:4:13: " + steps + "1000001");
-  EXPECT_EQ(errorOfParticles("steps = [1.5]"), "a.toml:4:10: " + steps + "1.5");
-  const std::string tilts =
-      "a.toml:5:10: study.tilts must be an angle over 0 and up to 0.785 rad, "
-      "not ";
-  EXPECT_EQ(errorOfTilts("tilts = [0]"), tilts + "0");
-  EXPECT_EQ(errorOfTilts("tilts = [-0.1]"), tilts + "-0.1");
-  EXPECT_EQ(errorOfTilts("tilts = [0.8]"), tilts + "0.8");
-  EXPECT_EQ(errorOfTilts("tilts = [nan]"), tilts + "nan");
+TEST(StudySection, HasThemForEachCurve) {
+  const StudySettings study =
+      studyOf(overSubsteps("values = [1, 2]") +
+              "measure = ['error_deg']\n"
+              "curves = { key = 'simulation.model', values = ['matrix', 'exact'] }");
+  ASSERT_EQ(study.runs.size(), 4U);
+  EXPECT_EQ(study.runs[1].curve, "matrix");
+  EXPECT_EQ(study.runs[1].value, "2");
+  EXPECT_EQ(study.runs[2].curve, "exact");
+  EXPECT_EQ(study.runs[2].motion.simulation.model, Model::Exact);
+  EXPECT_EQ(study.runs[2].motion.simulation.substeps, 1);
 }
 
-TEST(StudySection, RefusesBoundsThatBoundNothing) {
-  EXPECT_EQ(errorOfParticles("orders.rk4 = {}"),
-            "a.toml:4:14: study.orders.rk4 needs min, max or both");
-  EXPECT_EQ(errorOfParticles("orders.rk4 = { min = 4, max = 3 }"),
-            "a.toml:4:22: study.orders.rk4.min must be at most max, 3.0, not 4");
-  EXPECT_EQ(errorOfParticles("orders.rk4.rises_to = 4"),
-            "a.toml:4:12: unknown key \"rises_to\" in [study.orders.rk4]; valid are \"min\" and "
-            "\"max\"");
+TEST(StudySection, TakesRanges) {
+  EXPECT_THAT(stiffnesses("from = 10, to = 1000, count = 3, scale = 'log'"),
+              ElementsAre("10", "100", "1000"));
+  EXPECT_THAT(stiffnesses("from = 1.0, to = 2, count = 3"), ElementsAre("1", "1.5", "2"));
+  EXPECT_THAT(stiffnesses("from = 1, to = 4, count = 3"), ElementsAre("1", "3", "4"))
+      << "whole, as its ends are";
+  EXPECT_THAT(stiffnesses("from = 1.0, to = 100.0, count = 4, scale = 'log'"),
+              ElementsAre("1", "4.64159", "21.5443", "100"));
 }
 
-TEST(StudySection, TakesBoundsThatAreOneNumber) {
-  const Scene scene = sceneFrom("[study]\norders.rk4 = { min = 4, max = 4 }");
-  EXPECT_EQ(scene.study->orders, (std::vector<ExpectedOrder>{{Integrator::Rk4, {4.0, 4.0}}}));
+TEST(StudySection, TakesAnyValueWithALabel) {
+  const StudySettings study = studyOf(
+      "measure = ['error_deg']\nx = { key = 'initial.angular_velocity', "
+      "values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");
+  EXPECT_THAT(labelsOf(study.x), ElementsAre("x", "y"));
+  EXPECT_EQ(study.runs[1].motion.initial.value, Eigen::Vector3d(0, 4, 0));
+  EXPECT_FALSE(study.x.values[0].number.has_value());
 }
 
-TEST(StudySection, RefusesUnknownKeys) {
-  EXPECT_EQ(errorOfParticles("step = [1]"),
-            "a.toml:4:1: unknown key \"step\" in [study]; did you mean \"steps\"?");
+TEST(StudySection, ReplacesOneSpinByTheOther) {
+  const StudySettings study = studyOf(
+      "measure = ['error_deg']\nx = { key = 'initial.angular_momentum', "
+      "values = [{ label = 'x', value = [0.1, 0, 0] }] }");
+  EXPECT_EQ(study.runs[0].motion.initial.kind, physics::SpinKind::AngularMomentum);
 }
 
-TEST(StudySection, RefusesBothKindsAtOnce) {
-  EXPECT_EQ(errorOfTilts("tilts = [0.1]\nsteps = [1]"),
-            "a.toml:6:9: [study] has both tilts and steps; it compares either tilts, or "
-            "integrators and steps");
-  EXPECT_EQ(errorOfParticles("flip_law.max = 1"), "a.toml:4:1: study.flip_law needs study.tilts");
+TEST(StudySection, ReachesIntoTablesArraysAndNudges) {
+  const StudySettings every = *sceneFrom(
+                                   "[simulation]\nnormalize = { every = 1 }\n[study]\n"
+                                   "x = { key = 'simulation.normalize.every', values = [1, 50] }\n"
+                                   "measure = ['error_deg']")
+                                   .study;
+  EXPECT_EQ(every.runs[1].motion.simulation.normalizeEvery, 50);
+  const Scene nudged = sceneFrom(
+      "[[nudge]]\nat = 1\nangular_velocity = [0, 1, 0]\n[study]\n"
+      "x = { key = 'nudge.0.at', values = [2, 3.5] }\nmeasure = ['half_turns']");
+  EXPECT_EQ(nudged.study->runs[1].motion.nudges.at(0).at, 3.5);
 }
 
-TEST(StudySection, RefusesTheExactModelWithoutTilts) {
-  EXPECT_EQ(errorOf("simulation.model = 'exact'\n[study]"),
-            "a.toml:2:1: the model \"exact\" takes no steps, so [study] has no integrators "
-            "and steps to compare; give it tilts, or choose another model");
+TEST(StudySection, ReadsBackTheSameFromItsText) {
+  const Scene scene = sceneFrom(
+      "[study]\nmeasure = ['diverges_at', 'stretch']\nx = { key = 'initial.angular_velocity', "
+      "values = [{ label = 'x', value = [4.5, 0, 0] }, { label = 'the y', value = [0, 4, 0] }], "
+      "label = 'spin' }\n"
+      "curves = { key = 'simulation.normalize', values = [true, { label = 'seldom', value = "
+      "{ every = 9 } }] }\n"
+      "expect = [{ of = 'stretch', x = 'x', curve = 'seldom', max = 2 }]");
+  EXPECT_EQ(scene.study->runs[3].motion.simulation.normalizeEvery, 9);
+  EXPECT_EQ(*parseScene(sceneText(scene), "a.toml").study, *scene.study);
 }
 
-TEST(StudySection, RefusesTiltsOfASpinThatDoesNotFlip) {
-  EXPECT_EQ(errorOf("[study]\ntilts = [0.1]"),
-            "a.toml:2:9: study.tilts needs initial.tilt, whose axis it takes, such as [0.1, "
-            "\"z\"]");
-  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 5, 0]\ntilt = [0.1, 'z']\n[study]\n"
-                        "tilts = [0.1]"),
-            "a.toml:5:9: study.tilts needs a spin about the axis of the middle moment of inertia, "
-            "the only one about which a body flips");
+TEST(StudySection, NamesTheKeyThatIsNone) {
+  const auto errorOver = [](const std::string& key) {
+    return errorOf("[study]\nx = { key = '" + key + "', values = [1] }\nmeasure = ['error_deg']");
+  };
+  EXPECT_EQ(errorOver("simulation.substep"),
+            "a.toml:2:13: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
+  EXPECT_THAT(errorOver("simulatio.substeps"),
+              AllOf(HasSubstr("a.toml:2:13: study.x.key must be a key of "),
+                    HasSubstr("did you mean \"simulation\"?")));
+  EXPECT_THAT(errorOver("clip.fps"), HasSubstr("study.x.key must be a key of "));
+  EXPECT_THAT(errorOver("body"),
+              AllOf(HasSubstr("study.x.key must be a key of "), Not(HasSubstr("did you mean"))));
+  EXPECT_THAT(errorOver("expect.stretch"), HasSubstr("study.x.key must be a key of "));
 }
 
-TEST(StudySection, ChecksThemForTheAxesOfTheBodysOwnInertia) {
-  const std::string lines =
-      "angular_velocity = [0, 5, 0]\ntilt = [0.1, 'z']\n[study]\ntilts = [0.1]";
-  EXPECT_EQ(errorOfText("[body]\ninertia = [1, 2, 2.5]\n[initial]\n" + lines), "no error");
+TEST(StudySection, NamesTheValueThatIsWrong) {
+  EXPECT_EQ(errorOfStudy("values = [10, 0]"),
+            "a.toml:3:50: simulation.substeps must be an integer from 1 to 1000000, not 0");
+  EXPECT_EQ(errorOfStudy("values = [10, 10]"), "a.toml:3:50: study.x.values has 10 twice");
+  EXPECT_THAT(errorOfStudy("from = 0, to = 9, count = 3, scale = 'log'"),
+              HasSubstr("is logarithmic, which needs from over 0, not 0.0"));
+  EXPECT_THAT(errorOfStudy("from = 1, to = 3, count = 9"),
+              HasSubstr("has 1 twice; between whole numbers all are whole: lower count"));
+  EXPECT_THAT(errorOfStudy("from = 1, count = 9"),
+              HasSubstr("needs either values, or from, to and count"));
+  EXPECT_THAT(errorOfStudy("values = [[1, 2]]"), HasSubstr("must be a number, a word, or a table"));
+  EXPECT_THAT(errorOfStudy("values = [{ label = '', value = 1 }]"), HasSubstr("must be a word"));
+}
+
+TEST(StudySection, RefusesWhatCannotBeMeasuredOrExpected) {
+  const auto errorExpecting = [](const std::string& expected) {
+    return errorOfStudy("values = [10, 20]", "expect = " + expected);
+  };
+  EXPECT_EQ(errorExpecting("[{ of = 'stretch', max = 1 }]"),
+            "a.toml:4:18: stretch isn't in study.measure");
+  EXPECT_EQ(errorExpecting("[{ of = 'error_deg', x = 30, max = 1 }]"),
+            "a.toml:4:35: study.expect.x = 30 is no value of study.x");
+  EXPECT_EQ(errorExpecting("[{ of = 'error_deg', curve = 'x', max = 1 }]"),
+            "a.toml:4:39: study.expect.curve needs study.curves");
+  EXPECT_EQ(errorExpecting("[{ of = 'error_deg' }]"),
+            "a.toml:4:11: study.expect needs min, max or both");
+  EXPECT_EQ(errorExpecting("[]"), "no error");
+}
+
+TEST(StudySection, VariesTwoKeys) {
+  EXPECT_THAT(
+      errorOfStudy("values = [1]", "curves = { key = 'simulation.substeps', values = [1] }"),
+      HasSubstr("study.curves.key is study.x.key, too"));
+}
+
+TEST(StudySection, IsLimited) {
+  EXPECT_THAT(errorOfStudy("from = 1, to = 900, count = 900",
+                           "curves = { key = 'simulation.normalize', values = [true, false] }"),
+              HasSubstr("[study] has 1800 runs; the limit is 1000"));
+  EXPECT_THAT(errorOfStudy("from = 1, to = 1000000, count = 900", "[clip]\nduration = 60"),
+              HasSubstr("make fewer runs, or shorter ones"));
+}
+
+TEST(StudySection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
+  EXPECT_EQ(errorOf("[study]\nx = { key = 'simulation.time_per_frame', values = [0.1] }\n"
+                    "measure = ['half_turns']\ninterval = 0.01"),
+            "a.toml:4:12: study.interval replaces simulation.time_per_frame, which the study "
+            "varies; remove one of them");
+}
+
+// Where only the start varies, the springs' eigenvalues are solved once.
+TEST(StudySection, SettlesTheBodyOnceForAllStarts) {
+  const std::string particles =
+      "[simulation]\nmodel = 'particles'\nparticles = 'grid:7'\nsubsteps = 300\n";
+  const auto runsOf = [&](const std::string& keyAndValues) {
+    const std::string start = "[initial]\nangular_velocity = [4, 0, 0]\ntilt = [0.1, 'z']\n";
+    return parseScene(start + particles +
+                          "[study]\nmeasure = ['tilt_deg']\nx = { key = " + keyAndValues + " }",
+                      "a.toml")
+        .study->runs;
+  };
+  for (const char* lines :
+       {"'initial.tilt.0', values = [0.2, '3 deg', 1]", "'initial.tilt', values = [0.2, 1]",
+        "'initial.tilt', values = [{ label = 'y', value = [0.2, 'y'] }, "
+        "{ label = 'x', value = ['1 deg', 'z'] }]",
+        "'initial.tilt.1', values = ['z', 'y']",
+        "'initial.angular_velocity.1', values = [0.2, 1]"}) {
+    const std::vector<StudyRun> runs = runsOf(lines);
+    EXPECT_NE(runs[0].motion, runs[1].motion) << lines;
+    for (const StudyRun& run : runs)
+      EXPECT_EQ(run.motion.particles.system, runs[0].motion.particles.system) << lines;
+  }
+  const std::vector<StudyRun> masses = runsOf("'body.mass', values = [1, 2]");
+  EXPECT_NE(masses[0].motion.particles.system, masses[1].motion.particles.system);
+}
+
+TEST(StudySection, GivesStartsAsIfTheyStoodInTheScene) {
+  const std::string start = "[initial]\nangular_velocity = [4, 0, 0]\ntilt = [0.1, 'z']\n";
+  const Scene scene = parseScene(
+      start +
+          "[study]\nmeasure = ['tilt_deg']\nx = { key = 'initial.tilt.0', values = ['3 deg', 1] }",
+      "a.toml");
+  for (const StudyRun& run : scene.study->runs) {
+    const Scene stated = parseScene(start, "a.toml", std::vector{"initial.tilt.0=" + run.value});
+    EXPECT_EQ(run.motion, stated.motion()) << run.value;
+  }
+  EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
+                                  "x = { key = 'initial.tilt.0', values = [0.1, 1e7] }"),
+              HasSubstr("a.toml:6:46: initial.tilt must be an angle from -1e6 to 1e6 rad"));
+}
+
+TEST(StudySection, RefusesToVaryWhatNoRunHas) {
+  const std::string rest = "', values = [1, 2] }\nmeasure = ['half_turns']";
+  EXPECT_EQ(errorOf("[study]\nx = { key = 'simulation.stiffness" + rest),
+            "a.toml:2:13: simulation.stiffness is of the model \"particles\" alone; "
+            "all runs would be the same");
+  EXPECT_EQ(errorOf("[study]\nx = { key = 'simulation.stiffness" + rest +
+                    "\ncurves = { key = 'simulation.model', values = ['matrix', 'particles'] }"),
+            "no error");
 }
 
 TEST(Bounds, HoldWhatLiesWithinThem) {

@@ -89,8 +89,8 @@ TEST(Map, HasTheErrorAtTheEnd) {
 
 TEST(Map, HasTheLargestErrorAsStudiesMeasureIt) {
   expectEach(overTiltAndSteps("measure = 'error_deg'\nmoment = 'largest'"),
-             [](const Trajectory& motion, const auto&) {
-               return reduced(motion, scene::Measure::ErrorDeg);
+             [](const Trajectory& motion, const MotionSettings& settings) {
+               return reduced(motion, settings, scene::Measure::ErrorDeg);
              });
 }
 
@@ -129,7 +129,8 @@ TEST(Map, LooksWhereItIsToldAndAtTheEnd) {
   motion.simulation.timePerFrame = scene.map->x.at(2, 3);
   motion.initial.tilt->angle = scene.map->y.at(1, 3);
   const std::vector<double> times{0, 0.3, 0.6, 3 * 0.3, 1.2, 1.5, 1.7};
-  EXPECT_EQ(result.values[0][1 * 3 + 2], reduced(simulate(motion, times), scene::Measure::TiltDeg));
+  EXPECT_EQ(result.values[0][1 * 3 + 2],
+            reduced(simulate(motion, times), motion, scene::Measure::TiltDeg));
 }
 
 TEST(Map, TellsWhenParticlesDiverge) {

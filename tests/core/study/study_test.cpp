@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -11,22 +11,32 @@
 
 #include "base/error.h"
 #include "scene/small_scene.h"
+#include "study/reduced.h"
 #include "study/study_csv.h"
 
 namespace rotatebook::study {
 namespace {
 
-using physics::Integrator;
-using scene::testing::messageOf;
 using scene::testing::smallScene;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
-constexpr double kOrderBound = 0.1;       // measured 0.03
-constexpr double kRoundingBound = 1e-10;  // of |L| and E in a few hundred steps; measured 1e-14
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-PrecisionStudy precision(const scene::Scene& scene, const Execution& execution = {}) {
-  return runPrecisionStudy(scene, *scene.study, execution).value();
+Study resultOf(const scene::Scene& scene, const Execution& execution = {}) {
+  return runStudy(scene, execution).value();
+}
+
+/// Particles with one step a frame, which diverge, and with 4096.
+scene::Scene explosions(const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> all{"simulation.model=particles",
+                               "simulation.normalize=false",
+                               "simulation.time_per_frame=0.041666666666666664",
+                               "study.x={key='simulation.substeps', values=[1, 4096]}",
+                               "study.curves={key='simulation.damping', values=[0, 1.5]}",
+                               "study.measure=['diverges_at', 'stretch']"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return smallScene(all);
 }
 
 /// Makes the runs last to first.
@@ -37,229 +47,251 @@ Execution backwards() {
   }};
 }
 
+/// The steps and the integrators of a study of orders.
+std::vector<std::string> ordersOver(const std::string& steps, const std::string& integrators) {
+  return {"simulation.time_per_frame=0.041666666666666664",
+          "study.x={key='simulation.substeps', values=[" + steps + "]}",
+          "study.curves={key='simulation.integrator', values=[" + integrators + "]}"};
+}
+
 scene::Scene twoIntegrators() {
-  return smallScene({"simulation.time_per_frame=0.041666666666666664",
-                     "study.integrators=['splitting', 'rk4']", "study.steps=[16, 1, 2, 4, 8]"});
+  return smallScene(ordersOver("16, 1, 2, 4, 8", "'splitting', 'rk4'"));
 }
 
 scene::Scene tilted(const std::vector<std::string>& overrides = {}) {
-  std::vector<std::string> all{"simulation.model=exact", "initial.angular_velocity=[6, 0, 0]",
-                               "initial.tilt=[0.1, 'z']", "clip.duration=20",
-                               "study.tilts=[0.01, 1e-3, 1e-5]"};
+  std::vector<std::string> all{"simulation.model=exact",
+                               "initial.angular_velocity=[6, 0, 0]",
+                               "initial.tilt=[0.1, 'z']",
+                               "clip.duration=20",
+                               "study.x={key='initial.tilt', values=[0.01, 1e-3, 1e-5]}",
+                               "study.measure=['flip_interval', 'flip_law', 'first_flip']"};
   all.insert(all.end(), overrides.begin(), overrides.end());
   return smallScene(all);
 }
 
-TEST(PrecisionStudy, HasARowARunInTheOrderOfTheSettings) {
-  const PrecisionStudy study = precision(twoIntegrators());
-  ASSERT_EQ(study.rows.size(), 10U);
-  EXPECT_EQ(study.rows[0].integrator, Integrator::Splitting);
-  EXPECT_EQ(study.rows[0].h, 1.0 / 24 / 16);
-  EXPECT_EQ(study.rows[0].steps, 11 * 16);
-  EXPECT_EQ(study.rows[1].h, 1.0 / 24);
-  EXPECT_EQ(study.rows[6].integrator, Integrator::Rk4);
-  EXPECT_EQ(study.rows[6].steps, 11);
-  for (const PrecisionRow& row : study.rows) EXPECT_EQ(row.end.text(), "ok");
+TEST(Study, MeasuresEveryRunInTheOrderOfTheCurves) {
+  const Study result = resultOf(explosions());
+  ASSERT_EQ(result.rows.size(), 4U);
+  EXPECT_EQ(result.rows[1].value, "4096");
+  EXPECT_EQ(result.rows[1].curve, "0");
+  EXPECT_EQ(result.rows[2].curve, "1.5");
+  EXPECT_EQ(result.rows[0].end.text(), "diverged at 0.208333 s");
+  EXPECT_NEAR(result.rows[0].measured[0], 0.208333, 1e-6);
+  EXPECT_TRUE(std::isnan(result.rows[0].measured[1]));
+  EXPECT_EQ(result.rows[1].end.text(), "ok");
+  EXPECT_EQ(result.rows[1].measured[0], kInfinity);
+  EXPECT_GT(result.rows[1].measured[1], 0);
+  EXPECT_NEAR(result.rows[1].length, 11 / 24.0, 1e-12);
 }
 
-TEST(PrecisionStudy, MeasuresWhatTheTrajectoryShows) {
+TEST(Study, TellsNeverFromUnknownInItsTable) {
+  const scene::Scene scene = explosions();
+  const std::string csv = studyCsv(resultOf(scene), *scene.study);
+  EXPECT_THAT(csv,
+              testing::StartsWith(
+                  "simulation.substeps,simulation.damping,diverges_at,stretch,status\n1,0,0.2"));
+  EXPECT_THAT(csv, HasSubstr(",,diverged at 0.208333 s\n4096,0,inf,"));
+}
+
+TEST(Study, QuotesLabelsThatNeedIt) {
+  const scene::Scene scene =
+      smallScene({"study.x={key='simulation.substeps', values=["
+                  "{label='one, \"rough\"', value=1}, {label='eight', value=8}]}",
+                  "study.measure=['half_turns']"});
+  const std::string csv = studyCsv(resultOf(scene), *scene.study);
+  EXPECT_THAT(csv, HasSubstr("\n\"one, \"\"rough\"\"\","));
+  EXPECT_THAT(csv, HasSubstr("\neight,"));
+}
+
+TEST(Study, ReducesQuantitiesToTheLargestDeparture) {
+  for (const char* gainsOrLoses : {"euler", "implicit-gyroscopic"}) {
+    const scene::Scene scene =
+        smallScene({std::string("simulation.integrator=") + gainsOrLoses, "simulation.substeps=1"});
+    const physics::Trajectory motion = scene::testing::motionOf(scene);
+    double error = 0, energy = 0;
+    for (const physics::Sample& sample : motion.samples) {
+      error = std::max(error, sample.errorDeg);
+      energy = std::max(energy, std::fabs(sample.total() / motion.samples[0].total() - 1));
+    }
+    ASSERT_GT(energy, 1e-3);
+    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::ErrorDeg), error);
+    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::EnergyRatio), energy);
+    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::HalfTurns),
+              motion.samples.back().halfTurns);
+    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::DivergesAt), kInfinity);
+  }
+}
+
+TEST(Study, IsTheSameHoweverTheRunsAreMade) {
+  const scene::Scene scene = explosions();
+  EXPECT_EQ(studyCsv(resultOf(scene, backwards()), *scene.study),
+            studyCsv(resultOf(scene), *scene.study));
+}
+
+TEST(Study, ComparesRunsWithWhatIsExpected) {
+  const scene::Scene scene =
+      explosions({"study.expect=[{of='diverges_at', x=1, curve=0, max=0.3}, "
+                  "{of='diverges_at', x=4096, min=0.4}, {of='stretch', curve=0, max=1}]"});
+  const std::vector<StudyExpectation> expected = expectedOf(resultOf(scene), *scene.study);
+  std::vector<std::string> subjects;
+  for (const StudyExpectation& one : expected) subjects.push_back(one.subject());
+  EXPECT_THAT(subjects,
+              ElementsAre("diverges_at at 1, 0", "diverges_at at 4096, 0",
+                          "diverges_at at 4096, 1.5", "stretch at 1, 0", "stretch at 4096, 0"));
+  EXPECT_TRUE(expected[0].isMet());
+  EXPECT_TRUE(expected[1].isMet()) << "never is later than any time";
+  EXPECT_FALSE(expected[3].isMet()) << "of a run that diverges no stretch is measured";
+  EXPECT_TRUE(expected[4].isMet());
+}
+
+TEST(Study, HasNoResultAfterAStop) {
+  const scene::Scene scene = explosions();
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(runStudy(scene, {.stop = &stop}).has_value());
+}
+
+TEST(Study, HasADurationAndAnIntervalOfItsOwn) {
+  const std::vector<std::string> own{"study.x={key='simulation.substeps', values=[10]}",
+                                     "study.measure=['half_turns', 'error_deg']",
+                                     "study.duration=3", "study.interval='10 ms'"};
+  const StudyRow row = resultOf(smallScene(own)).rows.front();
+  EXPECT_DOUBLE_EQ(row.length, 3);
+  std::vector<std::string> other = own;
+  other.insert(other.end(), {"clip.fps=7", "clip.duration=1"});
+  EXPECT_EQ(resultOf(smallScene(other)).rows.front().measured, row.measured);
+}
+
+TEST(Study, MakesMotionsOfOneLengthWhateverTheTimePerFrame) {
+  const Study result =
+      resultOf(smallScene({"study.x={key='simulation.time_per_frame', values=[0.01, 0.1, 0.3]}",
+                           "study.measure=['half_turns']", "study.duration=1.2"}));
+  for (const StudyRow& row : result.rows) EXPECT_DOUBLE_EQ(row.length, 1.2);
+}
+
+TEST(StudyOfOrders, HasTheStepAndTheLargestErrorOfEachRun) {
   const scene::Scene scene = twoIntegrators();
-  const PrecisionStudy study = precision(scene);
-  const PrecisionRow& row = study.rows[9];  // rk4, 8 steps
+  const Study study = resultOf(scene);
+  ASSERT_EQ(study.rows.size(), 10U);
+  EXPECT_EQ(study.rows[0].curve, "splitting");
+  EXPECT_EQ(study.rows[0].step, 1.0 / 24 / 16);
+  EXPECT_EQ(study.rows[1].step, 1.0 / 24);
   physics::MotionSettings settings = scene.motion();
-  settings.simulation.integrator = Integrator::Rk4;
+  settings.simulation.integrator = physics::Integrator::Rk4;
   settings.simulation.substeps = 8;
   const physics::Trajectory motion = simulate(settings, scene.clip.frameCount());
   double largest = 0;
   for (const physics::Sample& sample : motion.samples) largest = std::max(largest, sample.errorDeg);
-  EXPECT_EQ(row.errorDeg, largest);
-  EXPECT_EQ(row.finalErrorDeg, motion.samples.back().errorDeg);
-  EXPECT_EQ(row.halfTurns, motion.samples.back().halfTurns);
-  EXPECT_GT(row.energyDrift, 0);
-  EXPECT_LT(study.rows[0].momentumDrift, kRoundingBound);
+  EXPECT_EQ(study.rows[9].measured, std::vector{largest});
 }
 
-TEST(PrecisionStudy, FindsTheOrders) {
-  const PrecisionStudy study = precision(twoIntegrators());
+TEST(StudyOfOrders, FindsThem) {
+  constexpr double kBound = 0.1;  // measured 0.03
+  const Study study = resultOf(twoIntegrators());
   ASSERT_EQ(study.orders.size(), 2U);
-  EXPECT_EQ(study.orders[0].integrator, Integrator::Splitting);
-  EXPECT_NEAR(study.orders[0].fit.order, 2, kOrderBound);
-  EXPECT_NEAR(study.orders[1].fit.order, 4, kOrderBound);
+  EXPECT_EQ(study.orders[0].curve, "splitting");
+  EXPECT_NEAR(study.orders[0].fit.order, 2, kBound);
+  EXPECT_NEAR(study.orders[1].fit.order, 4, kBound);
+  EXPECT_TRUE(resultOf(tilted()).orders.empty());
 }
 
-TEST(PrecisionStudy, HasATimeOfEachStepThatIsMeasuredForIt) {
-  for (const PrecisionRow& row : precision(twoIntegrators()).rows) {
+TEST(StudyOfOrders, HasATimeOfEachStepThatIsMeasuredForIt) {
+  for (const StudyRow& row : resultOf(twoIntegrators()).rows)
     EXPECT_TRUE(std::isnan(row.nsPerStep));
-  }
   const Execution timed{
       .nanosecondsPerStep = [](const physics::MotionSettings& settings, std::int64_t steps) {
         return 1000.0 * static_cast<double>(steps) + settings.simulation.substeps;
       }};
-  for (const PrecisionRow& row : precision(twoIntegrators(), timed).rows) {
-    EXPECT_EQ(row.nsPerStep,
-              1000.0 * static_cast<double>(row.steps) + static_cast<double>(row.steps) / 11);
-  }
+  for (const StudyRow& row : resultOf(twoIntegrators(), timed).rows)
+    EXPECT_EQ(row.nsPerStep, (11 * 1000 + 1) * std::stod(row.value));
+  EXPECT_TRUE(std::isnan(resultOf(tilted(), timed).rows[0].nsPerStep));
 }
 
-TEST(PrecisionStudy, IsTheSameHoweverTheRunsAreMade) {
-  const scene::Scene scene = twoIntegrators();
-  EXPECT_EQ(precisionCsv(precision(scene, backwards())), precisionCsv(precision(scene)));
-}
-
-TEST(PrecisionStudy, MarksRunsThatDiverge) {
-  scene::Scene scene = scene::testing::divergingScene();
-  scene.study = {{Integrator::Euler}, {1, 2}};
-  const PrecisionStudy study = precision(scene);
+TEST(StudyOfOrders, MarksRunsThatDiverge) {
+  const scene::Scene scene =
+      explosions({"study.curves={key='simulation.damping', values=[0]}",
+                  "study.x={key='simulation.substeps', values=[1, 2]}", "study.measure=['order']"});
+  const Study study = resultOf(scene);
   EXPECT_EQ(study.rows[0].end.text(), "diverged at 0.208333 s");
-  EXPECT_TRUE(std::isnan(study.rows[0].errorDeg));
+  EXPECT_TRUE(std::isnan(study.rows[0].measured[0]));
   EXPECT_TRUE(std::isnan(study.rows[0].nsPerStep));
   EXPECT_EQ(study.orders[0].fit.runs, 0);
-  EXPECT_THAT(precisionCsv(study),
-              HasSubstr("\neuler,0.041666666666666664,11,,,,,,,diverged at 0.208333 s\n"));
-  EXPECT_THAT(ordersCsv(study), HasSubstr("\neuler,,0,,\n"));
+  EXPECT_THAT(studyCsv(study, *scene.study),
+              testing::StartsWith("simulation.substeps,simulation.damping,h_s,error_deg,"
+                                  "ns_per_step,status\n"
+                                  "1,0,0.041666666666666664,,,diverged at 0.208333 s\n"));
 }
 
-TEST(PrecisionStudy, MarksStepsThatHaveNoSolution) {
-  const scene::Scene scene = smallScene(
-      {"initial.angular_velocity=[50, 30, 10]", "simulation.time_per_frame=0.041666666666666664",
-       "study.steps=[1, 64]", "study.integrators=['dmv2', 'rk4']"});
-  const PrecisionStudy study = precision(scene);
+TEST(StudyOfOrders, MarksStepsThatHaveNoSolution) {
+  std::vector<std::string> settings = ordersOver("1, 64", "'dmv2', 'rk4'");
+  settings.emplace_back("initial.angular_velocity=[50, 30, 10]");
+  const Study study = resultOf(smallScene(settings));
   EXPECT_EQ(study.rows[0].end.text(), "no convergence");
   EXPECT_EQ(study.rows[1].end.text(), "ok");
   EXPECT_EQ(study.rows[2].end.text(), "ok");
-  EXPECT_THAT(precisionCsv(study),
-              HasSubstr("\ndmv2,0.041666666666666664,11,,,,,,,no convergence\n"));
 }
 
-TEST(PrecisionStudy, MarksStepsOutsideTheReachOfTheirSeries) {
-  const scene::Scene scene = smallScene(
-      {"simulation.time_per_frame=1", "study.steps=[1, 64]", "study.integrators=['dmv4', 'dmv6']"});
-  const PrecisionStudy study = precision(scene);
+TEST(StudyOfOrders, MarksStepsOutsideTheReachOfTheirSeries) {
+  std::vector<std::string> settings = ordersOver("1, 64", "'dmv4', 'dmv6'");
+  settings[0] = "simulation.time_per_frame=1";
+  const Study study = resultOf(smallScene(settings));
   for (const std::size_t i : {0U, 2U}) {
     EXPECT_EQ(study.rows[i].end.text(), "step too long for its series");
     EXPECT_EQ(study.rows[i + 1].end.text(), "ok");
   }
-  EXPECT_THAT(precisionCsv(study), HasSubstr("\ndmv4,1,11,,,,,,,step too long for its series\n"));
 }
 
-TEST(PrecisionStudy, IsNothingAfterAStop) {
-  const std::atomic<bool> stop = true;
-  const scene::Scene scene = twoIntegrators();
-  EXPECT_FALSE(runPrecisionStudy(scene, *scene.study, {.stop = &stop}).has_value());
-}
-
-TEST(PrecisionStudy, RefusesWhatHasNothingToVary) {
-  const auto refusal = [](const char* setting) {
-    return messageOf<InputError>([setting] { requireStudyable(smallScene({setting}), {}); });
-  };
-  EXPECT_EQ(refusal("simulation.model=exact"),
-            "small: the model \"exact\" takes no steps, so there are no steps to compare; "
-            "choose another model, e.g. --set simulation.model=quaternion");
-  EXPECT_EQ(refusal("clip.duration=0.04"),
-            "small: a single sample has no motion to study; make it longer");
-}
-
-TEST(PrecisionStudy, TakesTheSameStepsAtAnyInterval) {
-  const PrecisionStudy study =
-      precision(smallScene({"study.integrators=['rk4']", "study.steps=[4]", "study.duration=1",
-                            "study.interval=0.02", "clip.fps=7"}));
-  EXPECT_EQ(study.rows[0].h, 1.0 / 60 / 4);
-  EXPECT_EQ(study.rows[0].steps, 60 * 4);
+TEST(StudyOfOrders, TakesTheSameStepsAtAnyInterval) {
+  std::vector<std::string> settings = ordersOver("4", "'rk4'");
+  settings[0] = "study.duration=1";
+  settings.insert(settings.end(), {"study.interval=0.02", "clip.fps=7"});
+  EXPECT_EQ(resultOf(smallScene(settings)).rows[0].step, 1.0 / 60 / 4);
 }
 
 // Only steps without a solution are a row's end; what is wrong with the scene is the caller's.
-TEST(PrecisionStudy, PassesOtherErrorsOn) {
+TEST(Study, PassesOtherErrorsOn) {
   scene::Scene scene = twoIntegrators();
-  scene.study->integrators = {Integrator::Rk4, Integrator::Verlet};
-  EXPECT_EQ(messageOf<InputError>([&] { precision(scene); }),
+  scene.study->runs[3].motion.simulation.integrator = physics::Integrator::Verlet;
+  EXPECT_EQ(scene::testing::messageOf<InputError>([&] { resultOf(scene); }),
             "this model doesn't have this integrator");
-  scene = twoIntegrators();
-  scene.initial.value = {1e200, 1e200, 1e200};
-  EXPECT_EQ(messageOf<InputError>([&] { precision(scene); }),
-            "the motion's start is not finite: its numbers are too large");
-}
-
-TEST(PrecisionCsv, HasItsColumns) {
-  const PrecisionStudy study = precision(twoIntegrators());
-  EXPECT_THAT(precisionCsv(study),
-              StartsWith("integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,"
-                         "half_turns,ns_per_step,status\nsplitting,0.0026041666666666665,176,"));
-  EXPECT_THAT(ordersCsv(study),
-              StartsWith("integrator,order,runs,shortest_h_s,longest_h_s\nsplitting,"));
-  EXPECT_THAT(ordersCsv(study), HasSubstr(",5,0.0026041666666666665,0.041666666666666664\n"));
 }
 
 // Values of no motion, all different, so that no two columns can change places unnoticed.
-TEST(PrecisionCsv, HasEachValueInItsColumn) {
-  PrecisionStudy study;
-  study.rows = {{.integrator = Integrator::Cf4,
-                 .h = 0.25,
-                 .steps = 3,
-                 .errorDeg = 4.5,
-                 .finalErrorDeg = 0.5,
-                 .energyDrift = 6e-7,
-                 .momentumDrift = 7e-8,
-                 .halfTurns = 8,
-                 .nsPerStep = 90.1234}};
-  study.orders = {{Integrator::Cf4, {.order = 3.75, .runs = 5, .shortest = 0.125, .longest = 2}}};
-  EXPECT_EQ(precisionCsv(study),
-            "integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,half_turns,"
-            "ns_per_step,status\ncf4,0.25,3,4.5,0.5,6e-07,7e-08,8,90.1,ok\n");
-  EXPECT_EQ(ordersCsv(study),
-            "integrator,order,runs,shortest_h_s,longest_h_s\ncf4,3.75,5,0.125,2\n");
+TEST(StudyOfOrders, HasEachValueInItsColumn) {
+  scene::StudySettings settings;
+  settings.x.key = "simulation.substeps";
+  settings.curves.emplace().key = "simulation.integrator";
+  settings.measures = {scene::Measure::Order, scene::Measure::HalfTurns};
+  const Study study{{{"3", "cf4", {}, 20, 0.25, {4.5, 8}, 90.1234}}};
+  EXPECT_EQ(
+      studyCsv(study, settings),
+      "simulation.substeps,simulation.integrator,h_s,error_deg,ns_per_step,half_turns,status\n"
+      "3,cf4,0.25,4.5,90.1,8,ok\n");
 }
 
-TEST(TiltCsv, HasEachValueInItsColumn) {
-  TiltStudy study;
-  study.rows = {{.tilt = 0.5, .flips = 2, .interval = 6, .law = 4}};
-  EXPECT_EQ(tiltCsv(study), "tilt_rad,flips,interval_s,law_s,ratio,status\n0.5,2,6,4,1.5,ok\n");
-}
-
-TEST(TiltStudy, MeasuresTheIntervalOfEachTilt) {
-  const scene::Scene scene = tilted();
-  const TiltStudy study = runTiltStudy(scene, *scene.study, {}).value();
+TEST(StudyOfFlips, MeasuresTheIntervalOfEachTilt) {
+  const Study study = resultOf(tilted());
   ASSERT_EQ(study.rows.size(), 3U);
-  for (const TiltRow& row : study.rows) {
+  for (const StudyRow& row : study.rows) {
     EXPECT_EQ(row.end.text(), "ok");
-    EXPECT_GE(row.flips, 2);
-    EXPECT_NEAR(row.ratio(), 1, 1e-5);  // measured 6e-6
+    EXPECT_LT(row.measured[1], 1e-5);  // measured 6e-6
+    // Nearly half an interval after the start
+    EXPECT_NEAR(row.measured[2] / row.measured[0], 0.5, 0.1);  // measured 0.54 at most
   }
-  EXPECT_EQ(study.rows[1].tilt, 1e-3);
   // A hundredth of the tilt makes the interval longer by as much as a tenth does twice.
-  const double once = study.rows[1].interval - study.rows[0].interval;
-  EXPECT_NEAR((study.rows[2].interval - study.rows[1].interval) / once, 2, 1e-3);
-  EXPECT_NEAR(study.greatestDeviation(), std::fabs(study.rows[0].ratio() - 1), 1e-12);
+  const double once = study.rows[1].measured[0] - study.rows[0].measured[0];
+  EXPECT_NEAR((study.rows[2].measured[0] - study.rows[1].measured[0]) / once, 2, 1e-3);
 }
 
-TEST(TiltStudy, IsTheSameHoweverTheRunsAreMade) {
-  const scene::Scene scene = tilted();
-  const auto table = [&](const Execution& execution) {
-    return tiltCsv(runTiltStudy(scene, *scene.study, execution).value());
-  };
-  EXPECT_EQ(table(backwards()), table({}));
+TEST(StudyOfFlips, SaysNeverOfMotionsThatFlipTooRarely) {
+  const Study study = resultOf(tilted({"clip.duration=2"}));
+  EXPECT_EQ(study.rows[2].end.text(), "ok");
+  EXPECT_EQ(study.rows[2].measured, (std::vector{kInfinity, kInfinity, kInfinity}));
 }
 
-TEST(TiltStudy, MarksMotionsThatFlipTooRarely) {
-  const scene::Scene scene = tilted({"clip.duration=5"});
-  const TiltStudy study = runTiltStudy(scene, *scene.study, {}).value();
-  EXPECT_EQ(study.rows[0].end.kind, RunEnd::Kind::Whole);
-  EXPECT_EQ(study.rows[2].end.text(), "fewer than two flips in 4.95833 s");
-  EXPECT_EQ(study.rows[2].flips, 1);
-  EXPECT_TRUE(std::isnan(study.greatestDeviation()));
-  EXPECT_THAT(tiltCsv(study), StartsWith("tilt_rad,flips,interval_s,law_s,ratio,status\n0.01,"));
-  EXPECT_THAT(tiltCsv(study), HasSubstr("\n1e-05,1,,"));
-  EXPECT_THAT(tiltCsv(study), HasSubstr(",,fewer than two flips in 4.95833 s\n"));
-}
-
-TEST(TiltStudy, MarksRunsThatDivergeOrHaveNoSolution) {
-  const scene::Scene soft =
-      tilted({"simulation.model=particles", "simulation.normalize=false", "simulation.substeps=1"});
-  EXPECT_THAT(tiltCsv(runTiltStudy(soft, *soft.study, {}).value()), HasSubstr(",,diverged at "));
-  const scene::Scene stiff =
-      tilted({"simulation.model=quaternion", "simulation.integrator=midpoint",
-              "simulation.step=0.0625", "initial.angular_velocity=[90, 0, 0]"});
-  EXPECT_THAT(tiltCsv(runTiltStudy(stiff, *stiff.study, {}).value()),
-              HasSubstr(",,no convergence\n"));
+TEST(Study, MeasuresTheGrowthOfTheBodyWhateverItsTilt) {
+  const Study study = resultOf(tilted({"study.measure=['growth']"}));
+  EXPECT_EQ(study.rows[0].measured, study.rows[2].measured);
+  EXPECT_GT(study.rows[0].measured[0], 0.1);
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ Expectation placedFrom(const ValueReader& table, const PlacedExpectations& place
       placed.haveWindows ? windowedBoundKeys() : timelessBoundKeys(),
       [&](const Key<Expectation>& key, const ValueReader& value) { key.read(value, one); });
   fields.push_back(
-      {"of", [&](const ValueReader& value) { one.measure = motionMeasureFrom(value); }});
+      {"of", [&](const ValueReader& value) { one.measure = measureFrom(value, placed.measures); }});
   for (std::size_t i = 0; i < placed.keys.size(); ++i) {
     fields.push_back({placed.keys[i].place,
                       [&one, i](const ValueReader& value) { one.at[i] = labelOf(value); }});
@@ -136,10 +136,15 @@ const Keys<std::vector<Expectation>>& expectKeys() {
   return keys;
 }
 
-Measure motionMeasureFrom(const ValueReader& value) {
+Measure measureFrom(const ValueReader& value, MeasureSections sections) {
   std::vector<std::string_view> names;
-  for (const Measure measure : measuresOfMotions()) names.push_back(nameOf(measure));
-  return measuresOfMotions()[value.choice(names)];
+  std::vector<Measure> measures;
+  for (const MeasureRow& row : kMeasureRows) {
+    if (row.sections > sections) continue;
+    names.push_back(row.name);
+    measures.push_back(row.measure);
+  }
+  return measures[value.choice(names)];
 }
 
 Kind<std::vector<Expectation>> PlacedExpectations::kind() const {

@@ -15,8 +15,8 @@ namespace rotatebook::scene {
 /// One key for each quantity, in the order of the enumeration.
 const Keys<std::vector<Expectation>>& expectKeys();
 
-/// Returns the measure of motions that a value names. Throws InputError.
-Measure motionMeasureFrom(const ValueReader& value);
+/// Returns the measure that a value names, one that `sections` take. Throws InputError.
+Measure measureFrom(const ValueReader& value, MeasureSections sections);
 
 /// The keys of a place on an axis, "column", and of the axis itself, "columns".
 struct PlaceKeys {
@@ -27,7 +27,8 @@ struct PlaceKeys {
 /// The expectations of a section whose axes are two.
 struct PlacedExpectations {
   std::array<PlaceKeys, 2> keys;
-  bool haveWindows;      ///< A window and what is reached in it may be stated, too.
+  bool haveWindows;  ///< A window and what is reached in it may be stated, too.
+  MeasureSections measures;
   const char* expected;  ///< In messages: "tables such as ...".
 
   Kind<std::vector<Expectation>> kind() const;
@@ -38,10 +39,12 @@ struct PlacedExpectations {
 inline constexpr PlacedExpectations kGridExpectations{
     {{{"column", "columns"}, {"row", "rows"}}},
     true,
+    MeasureSections::All,
     "tables such as { of = \"half_turns\", column = 10, min = 3 }"};
 inline constexpr PlacedExpectations kStudyExpectations{
     {{{"x", "x"}, {"curve", "curves"}}},
     false,
+    MeasureSections::Studies,
     "tables such as { of = \"diverges_at\", x = 10, min = 20 }"};
 
 /// Keys of bounds on a number.

@@ -27,21 +27,13 @@ const Keys<BookSettings>& bookKeys();
 const Keys<LookSettings>& lookKeys();
 const Keys<OverlaySettings>& overlayKeys();
 
-/// Keys of Scene::study, which must be present, that studies of all kinds have.
-const Keys<Scene>& samplingKeys();
-/// Keys of Scene::study, which must be present, but for its sweep; they depend on the scene's
-/// model.
-const Keys<Scene>& studyKeys();
-/// The keys of Scene::study's sweep; to read them, it must be present.
-const Keys<Scene>& sweepKeys();
+/// Keys of [study].
+const Keys<StudySettings>& studyKeys();
 
 /// Keys of [map].
 const Keys<MapSettings>& mapKeys();
 
 /// Keys of [grid].
 const Keys<GridSettings>& gridKeys();
-
-/// Returns the lines of study.orders, one for each integrator.
-std::string ordersText(const StudySettings& study);
 
 }  // namespace rotatebook::scene

@@ -44,12 +44,6 @@ constexpr std::array<Named<Of>, 5> kOfs{{{"smallest", Of::Smallest},
                                          {"mean", Of::Mean},
                                          {"share", Of::Share},
                                          {"value", Of::Value}}};
-Measure measureFrom(const ValueReader& value) {
-  std::vector<std::string_view> names;
-  for (const MeasureRow& row : kMeasureRows) names.push_back(row.name);
-  return kMeasureRows[value.choice(names)].measure;
-}
-
 void readSize(const ValueReader& value, MapSettings& map) {
   const auto sides = value.elements(2, kExpectedSize);
   std::vector<int> read;
@@ -234,7 +228,9 @@ const Keys<MapSettings>& mapKeys() {
       key("y", &MapSettings::y, pixelAxis(),
           {.meaning = "the axis up, likewise", .byDefault = "required"}),
       {"measure",
-       [](const ValueReader& value, MapSettings& map) { map.measure = measureFrom(value); },
+       [](const ValueReader& value, MapSettings& map) {
+         map.measure = measureFrom(value, MeasureSections::Runs);
+       },
        [](const MapSettings& map) { return tomlString(nameOf(map.measure)); },
        {.meaning = "what the colours show, see [maps](map.md#measures)",
         .byDefault = "required",

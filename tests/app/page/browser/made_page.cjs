@@ -76,10 +76,9 @@ angular_velocity = [2.0, 3.0, -4.0]
 fps = 15
 duration = 1
 [study]
-integrators = ["euler", "rk4"]
-steps = [1, 2, 4, 8]
-[study.orders]
-rk4 = { min = 3 }
+x = { key = "simulation.substeps", values = [1, 2, 4, 8] }
+curves = { key = "simulation.integrator", values = ["euler", "rk4"] }
+expect = [{ of = "order", curve = "rk4", min = 3 }]
 `,
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -130,7 +131,10 @@ TomlNode* nodeAt(TomlNode* node, std::string_view key) {
   return entry != nullptr ? &entry->node : nullptr;
 }
 
-void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
+/// The tables of meshes that have been read, by their files' names: each file is read once.
+using MeshTables = std::map<std::string, TomlNode>;
+
+void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshTables& known) {
   TomlNode* node = nodeAt(nodeAt(&root, "body"), "mesh");
   // A record of a clip has the numbers already
   if (node == nullptr || std::holds_alternative<TomlNode::Table>(node->value)) return;
@@ -145,12 +149,16 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   if (!readNamedFile) document::failAt(node->location, shown + ", but no file is read here");
   if (std::filesystem::path(*name).is_absolute())
     document::failAt(node->location, shown + ", which must be relative to the scene's folder");
-  try {
-    *node =
-        tableOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh)), node->location);
-  } catch (const InputError& error) {
-    document::failAt(node->location, shown + ": " + error.what());
+  const auto [mesh, isNew] = known.try_emplace(*name);
+  if (isNew) {
+    try {
+      mesh->second =
+          tableOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh)), node->location);
+    } catch (const InputError& error) {
+      document::failAt(node->location, shown + ": " + error.what());
+    }
   }
+  node->value = mesh->second.value;
 }
 
 }  // namespace
@@ -160,11 +168,12 @@ Section<Motion> bodySection() {
 }
 
 void includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
-  includeMesh(root, readNamedFile);
+  MeshTables known;
+  includeMesh(root, readNamedFile, known);
   TomlNode* panels = nodeAt(&root, "panel");
   auto* tables = panels != nullptr ? std::get_if<TomlNode::Array>(&panels->value) : nullptr;
   if (tables == nullptr) return;
-  for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile);
+  for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile, known);
 }
 
 }  // namespace rotatebook::scene

@@ -90,12 +90,12 @@ void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
 }
 
 VariedMotions::VariedMotions(const TomlNode& sections, const physics::SimulationSettings& clock,
-                             const VariedKey& key)
+                             const VariedKey& key, const Motion* known)
     : sections_(sections), clock_(clock), key_(key) {
   if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
   // Without a motion of its own, whatever is wrong is found with the first value
   try {
-    base_ = motionFrom(sections, clock);
+    base_ = known != nullptr ? *known : motionFrom(sections, clock);
   } catch (const InputError&) {
     return;
   }

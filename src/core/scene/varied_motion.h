@@ -50,8 +50,9 @@ ReadMotionKey readerOf(const physics::MotionSettings& base, const std::string& k
 class VariedMotions {
  public:
   /// Takes what motionFrom() takes, without the key's values, and the key; they must outlive this.
+  /// `known` is the motion of `sections` if that is at hand, or null.
   VariedMotions(const document::TomlNode& sections, const physics::SimulationSettings& clock,
-                const VariedKey& key);
+                const VariedKey& key, const Motion* known = nullptr);
 
   /// Returns the motion with that value of the key. Throws InputError.
   Motion with(const StatedValue& value) const;

@@ -34,6 +34,20 @@ std::string meshErrorOf(const std::string& lines, const std::string& mesh = kCub
   }
 }
 
+TEST(BodySection, ReadsTheMeshOfSeveralPanelsOnce) {
+  const std::string panel = "[[panel]]\nbody.mesh = \"a.obj\"\nbody.density = 1000\nlabel = ";
+  int reads = 0;
+  const Scene scene = parseScene(panel + "\"a\"\n" + panel + "\"b\"\nbody.unit = \"cm\"\n" + kSpin,
+                                 "a.toml", {}, [&](const std::filesystem::path&, std::size_t) {
+                                   ++reads;
+                                   return kCube;
+                                 });
+  EXPECT_EQ(reads, 1);
+  EXPECT_EQ(scene.panels[0].solid.mesh.surface, scene.panels[1].solid.mesh.surface);
+  EXPECT_NEAR(scene.panels[0].body.mass, 8000, 1e-9);      // measured to rounding
+  EXPECT_NEAR(scene.panels[1].body.mass, 8000e-6, 1e-15);  // measured to rounding
+}
+
 TEST(BodySection, AShapeDecidesSizeMassAndInertia) {
   const Scene scene = sceneFrom(kHandle);
   EXPECT_FALSE(scene.solid.isBook());

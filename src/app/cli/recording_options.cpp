@@ -26,9 +26,9 @@ void RecordingOptions::addTo(CLI::App& command) {
       ->group(kGroup);
   command
       .add_option("--time-unit", options.timeUnit,
-                  "Unit of the file's times, s, ms, us or ns, if the header has none")
+                  "Unit of the file's times, s, ms, us, ns or min, if the header has none")
       ->type_name("UNIT")
-      ->check(CLI::IsMember({"s", "ms", "us", "ns"}))
+      ->check(CLI::IsMember({"s", "ms", "us", "ns", "min"}))
       ->group(kGroup);
   command
       .add_option("--column", columns,

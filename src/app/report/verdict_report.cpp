@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "base/json.h"
@@ -157,6 +158,7 @@ std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds)
       .addNumber("rates_difference", verdict.spins.difference)
       .addNumber("rates_factor", verdict.spins.fit.factor)
       .add("rates_bias", vectorJson(verdict.spins.fit.bias))
+      .add("rates_turn_deg", vectorJson(verdict.spins.fit.turn * (180 / std::numbers::pi)))
       .addNumber("scatter", verdict.scatter)
       .addNumberOrNull("start_fitted_by", verdict.fittedBy)
       .add("flaws", jsonArrayOf(verdict.flaws, jsonString))

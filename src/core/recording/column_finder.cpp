@@ -95,6 +95,13 @@ bool ColumnFinder::isNamed(const Spellings& group) const {
                              [&](const auto& one) { return isAmong(group.roles, one.first); });
 }
 
+/// Returns whether the options name a column of the group by an empty text.
+bool ColumnFinder::isLeftOut(const Spellings& group) const {
+  return std::ranges::any_of(named_, [&](const auto& one) {
+    return isAmong(group.roles, one.first) && one.second.empty();
+  });
+}
+
 std::string ColumnFinder::names() const {
   constexpr std::size_t kShown = 12;
   constexpr std::size_t kLongest = 40;  // [characters]
@@ -119,6 +126,7 @@ void ColumnFinder::failTwice(std::size_t first, std::size_t second) const {
 }
 
 std::optional<std::vector<std::size_t>> ColumnFinder::columnsOf(const Spellings& group) const {
+  if (isLeftOut(group)) return std::nullopt;
   const Columns stated = named(group);
   if (isWhole(stated)) return foundIndices(stated);
   const std::vector<Whole> wholes = wholesOf(group, stated);

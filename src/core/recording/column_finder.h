@@ -26,7 +26,8 @@ class ColumnFinder {
   std::optional<std::size_t> nanoseconds() const;
 
   /// Returns the columns of a group, all in one spelling but for those that the options name; none
-  /// if the table has none of them. Throws InputError, too, if it has some but not all.
+  /// if the table has none of them, or if the options name one by an empty text. Throws InputError,
+  /// too, if it has some but not all.
   template <std::size_t N>
   std::optional<std::array<std::size_t, N>> group(const Spellings& group) const {
     const std::optional<std::vector<std::size_t>> found = columnsOf(group);
@@ -56,6 +57,7 @@ class ColumnFinder {
   };
 
   std::optional<std::vector<std::size_t>> columnsOf(const Spellings& group) const;
+  bool isLeftOut(const Spellings& group) const;
   std::vector<Whole> wholesOf(const Spellings& group, const Columns& stated) const;
   std::optional<std::vector<std::size_t>> wholeOrNone(const Spellings& group,
                                                       const Columns& columns) const;

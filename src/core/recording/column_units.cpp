@@ -116,9 +116,10 @@ void findTimeUnit(const CsvTable& table, Columns& columns, std::string_view stat
   std::optional<double> unit =
       unitNamed(kUnitsOfTimes, stated.empty() ? std::string_view(name.unit) : stated);
   if (!unit && !name.unit.empty()) {
-    table.fail("the column " + quotedText(header) +
-               " has times in a unit that isn't read; there are s, ms, us and ns: state one in "
-               "simulation.time_unit, or with --time-unit");
+    table.fail(
+        "the column " + quotedText(header) +
+        " has times in a unit that isn't read; there are s, ms, us, ns and min: state one in "
+        "simulation.time_unit, or with --time-unit");
   }
   if (!unit) unit = timeUnitIn(name);
   if (!unit && program != nullptr) unit = program->seconds;
@@ -130,7 +131,8 @@ std::string_view plausibleUnit(double interval, double last) {
   constexpr double kFirstEpoch = 1e9, kLastEpoch = 4e9;  // of the years 2001 to 2096 [s]
   for (std::size_t i = 1; i < kTimeUnits.size(); ++i) {
     const double epoch = last * kUnitsOfTimes[i].value;
-    if (epoch >= kFirstEpoch && epoch <= kLastEpoch) return kTimeUnits[i];
+    if (kUnitsOfTimes[i].value < 1 && epoch >= kFirstEpoch && epoch <= kLastEpoch)
+      return kTimeUnits[i];
   }
   constexpr double kShortest = 1e-6, kLongest = 0.2;  // [s]
   for (std::size_t i = 1; i < kTimeUnits.size(); ++i) {

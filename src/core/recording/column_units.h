@@ -25,8 +25,9 @@ bool areSecondsOfRos(std::string_view header);
 /// Throws InputError for a header's unit that isn't read.
 void findTimeUnit(const CsvTable& table, Columns& columns, std::string_view stated);
 
-/// Returns the one of ms, us and ns in which a recording whose rows are `interval` apart has 5 to
-/// 10^6 rows a second, or in which its last time is one of a calendar; empty if none is.
+/// Returns the one of ms, us, ns and min in which a recording whose rows are `interval` apart has 5
+/// to 10^6 rows a second, or of the first three in which its last time is one of a calendar; empty
+/// if none is.
 std::string_view plausibleUnit(double interval, double last);
 
 /// Returns the unit that a header states for a rate; nothing if it states none that is known.

@@ -209,8 +209,8 @@ Mistake mistakeOfAxes(const Thinned& table, double difference, const TableUnits&
 
 /// Returns the mistake of rates with a bias that contradict the attitudes.
 Mistake mistakeOfBias(const RateFitted& fitted, double difference) {
-  if (difference <= kContradicts || !fitted.fit.isOff() || !isRecognised(fitted.left, difference))
-    return {};
+  const bool isOff = fitted.fit.factor != 1 || !fitted.fit.bias.isZero(0);
+  if (difference <= kContradicts || !isOff || !isRecognised(fitted.left, difference)) return {};
   return {"the rates " + textOf(fitted.fit) + "; undo that", fitted.left};
 }
 
@@ -248,36 +248,86 @@ Turns turnsOf(const std::vector<RecordedMoment>& moments) {
   return turns;
 }
 
+/// Returns that the attitudes stay the same, and how to leave them out.
+std::string stillText(const Eigen::Quaterniond& attitude, const std::string& turn,
+                      bool areQuaternions) {
+  const auto part = [](double number) { return roundedText(number, 3); };
+  const std::string stay = areQuaternions ? "the quaternions stay (" + part(attitude.w()) + ", " +
+                                                part(attitude.x()) + ", " + part(attitude.y()) +
+                                                ", " + part(attitude.z()) + ")"
+                                          : "the matrices stay the same";
+  const std::string column = areQuaternions ? "qw" : "r11";
+  return stay + " in all rows, though the rates turn the body by " + turn +
+         " degrees; if nothing measured them, leave them out: state simulation.columns = { " +
+         column + " = \"\" }, or --column " + column + "=";
+}
+
 /// Returns that few attitudes are apart though the rates turn the body; empty if they don't.
-std::string mistakeOfFew(const std::vector<RecordedMoment>& moments) {
+std::string mistakeOfFew(const std::vector<RecordedMoment>& moments, bool areQuaternions) {
   constexpr double kLeastPath = 1;  // [rad]
   double path = 0;
   for (std::size_t i = 1; i < moments.size(); ++i) {
     path += (moments[i].time - moments[i - 1].time) *
             (moments[i - 1].angularVelocity + moments[i].angularVelocity).norm() / 2;
   }
+  const Eigen::Quaterniond& first = moments.front().attitude;
+  const bool areSame = std::ranges::all_of(
+      moments, [&](const auto& one) { return one.attitude.coeffs() == first.coeffs(); });
   const double largest = kLargestTurn * static_cast<double>(moments.size() - 1);
-  if (path < kLeastPath || path > largest) return "";
+  if (path < kLeastPath || (path > largest && !areSame)) return "";
   const Turns turns = turnsOf(moments);
   if (turns.difference <= kContradicts) return "";
   const auto text = [](double angle) {
     return shortestText(std::round(angle * kDegreesPerRadian));
   };
+  if (areSame) return stillText(first, text(turns.byRates), areQuaternions);
   return "the attitudes turn by " + text(turns.byAttitudes) + " degrees in all, and the rates by " +
          text(turns.byRates) + "; are both of the same body and moment?";
 }
 
 /// Returns the fit of the rates, with a bias along the world's axes or the body's.
-RateFitted fitOf(const Thinned& table) {
+RateFitted fitByFactorOrBias(const Thinned& table) {
   constexpr double kBetter = 0.8;
   RateFitted best = fitRates(table.rates, table.slopes());
-  best.fit.isBiasAlongBody = table.areAlongBody;
+  best.fit.isAlongBody = table.areAlongBody;
   if (table.areAlongBody) return best;
   Vectors alongBody;
   for (const RecordedMoment& moment : table.moments) alongBody.push_back(moment.angularVelocity);
   RateFitted other = fitRates(alongBody, table.alongBody);
-  other.fit.isBiasAlongBody = true;
+  other.fit.isAlongBody = true;
   return other.left < kBetter * best.left ? other : best;
+}
+
+/// Returns the turn that may be meant by the bias of a spin that hardly leaves its axis; 0 if that
+/// doesn't explain the bias. [rad]
+Eigen::Vector3d turnInPlaceOf(const Eigen::Vector3d& bias, const Thinned& table) {
+  constexpr double kSame = 0.1;
+  Eigen::Vector3d from{0, 0, 0}, to{0, 0, 0};
+  for (std::size_t i = 0; i < table.rates.size(); ++i) {
+    from += table.slopes()[i];
+    to += table.rates[i];
+  }
+  const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(from, to);
+  const Eigen::Vector3d left = (to - turn * from) / static_cast<double>(table.rates.size());
+  return left.norm() < kSame * bias.norm() ? turnOf(turn) : Eigen::Vector3d::Zero();
+}
+
+/// Returns the fit of the rates, by slopes that are turned if that leaves much less than others.
+RateFitted fitOf(const Thinned& table, bool haveQuaternions) {
+  constexpr double kLeastTurn = 1e-3, kSigmas = 10;
+  RateFitted simple = fitByFactorOrBias(table);
+  const auto turned = turnedAxes(
+      {table.rates, table.alongBody, table.alongWorld, table.areAlongBody, haveQuaternions});
+  const bool isBias = !simple.fit.bias.isZero(0) && simple.fit.factor == 1;
+  const bool areSameAxes = simple.fit.isAlongBody == table.areAlongBody;
+  if (!turned && isBias && areSameAxes) simple.fit.turn = turnInPlaceOf(simple.fit.bias, table);
+  if (!turned || turned->multiple.left * kMuchBetter > simple.left) return simple;
+  const double left = turned->multiple.left;
+  if (turned->turn.norm() < kLeastTurn + kSigmas * left) return simple;
+  RateFit fit{.turn = turned->turn, .isAlongBody = table.areAlongBody};
+  if (std::abs(turned->multiple.factor - 1) > kLeastTurn + left)
+    fit.factor = turned->multiple.factor;
+  return {fit, left};
 }
 
 std::string contradictionText(double difference) {
@@ -304,13 +354,27 @@ std::string mistakeIn(const Thinned& table, const std::vector<RecordedMoment>& a
 
 std::string textOf(const RateFit& fit) {
   constexpr int kDigits = 3, kDigitsOfFactor = 5;
-  const auto part = [&](int i) { return roundedText(fit.bias[i], kDigits); };
-  const std::string bias = "a bias of (" + part(0) + ", " + part(1) + ", " + part(2) +
-                           ") rad/s along the " + (fit.isBiasAlongBody ? "body" : "world") +
-                           "'s axes";
-  if (fit.factor == 1) return "have " + bias;
-  return "are " + roundedText(fit.factor, kDigitsOfFactor) + " times the attitudes' slopes" +
-         (fit.bias.isZero(0) ? "" : ", with " + bias);
+  constexpr double kRounding = 1e-3;
+  const auto vectorOf = [](const Eigen::Vector3d& vector) {
+    const auto part = [&](int i) {
+      const bool isRounding = std::abs(vector[i]) < kRounding * vector.norm();
+      return roundedText(isRounding ? 0 : vector[i], kDigits);
+    };
+    return "(" + part(0) + ", " + part(1) + ", " + part(2) + ")";
+  };
+  const std::string axes = fit.isAlongBody ? "the body's axes" : "the world's axes";
+  const double angle = fit.turn.norm();
+  const std::string factor =
+      "are " + roundedText(fit.factor, kDigitsOfFactor) + " times the attitudes' slopes";
+  const std::string turn = "turned from " +
+                           std::string(fit.factor == 1 ? "the attitudes' slopes" : "them") +
+                           " by " + roundedText(angle * kDegreesPerRadian, kDigits) +
+                           " degrees about " + vectorOf(fit.turn / angle) + " along " + axes +
+                           ", as along axes that aren't aligned, or of other moments";
+  const std::string bias = "a bias of " + vectorOf(fit.bias) + " rad/s along " + axes;
+  if (fit.bias.isZero(0) && angle > 0) return (fit.factor == 1 ? "are " : factor + ", ") + turn;
+  if (fit.factor == 1) return "have " + bias + (angle > 0 ? ", or are " + turn : "");
+  return factor + (fit.bias.isZero(0) ? "" : ", with " + bias);
 }
 
 RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool areAlongBody,
@@ -318,11 +382,11 @@ RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool are
   constexpr std::size_t kMinMoments = 10;
   if (moments.size() < 2) return {};
   const std::vector<RecordedMoment> kept = thinned(moments);
-  if (kept.size() < kMinMoments) return {.mistake = mistakeOfFew(moments)};
+  if (kept.size() < kMinMoments) return {.mistake = mistakeOfFew(moments, units.haveQuaternions)};
   if (meanTurn(kept) > kLargestTurn) return {};
   const Thinned table(kept, areAlongBody);
   RateComparison result{.difference = relativeDifference(table.rates, table.slopes())};
-  const RateFitted fitted = fitOf(table);
+  const RateFitted fitted = fitOf(table, units.haveQuaternions);
   result.fit = fitted.fit;
   result.mistake = mistakeIn(table, moments, result.difference, fitted, units);
   return result;

@@ -35,6 +35,22 @@ constexpr Foreign kForeign[]{
     {std::string_view("\0\0\xFE\xFF", 4), kUtf32},
 };
 
+/// Returns whether a cell has numbers before and behind `sign`, as times of day and dates have.
+bool joins(std::string_view cell, char sign) {
+  const auto isDigit = [&](std::size_t i) {
+    return i < cell.size() && cell[i] >= '0' && cell[i] <= '9';
+  };
+  const std::size_t at = cell.find(sign);
+  return at != cell.npos && at > 0 && isDigit(at - 1) && isDigit(at + 1);
+}
+
+/// Returns what a cell is that is no number.
+std::string_view kindText(std::string_view cell) {
+  const bool isDate = joins(cell, '-') || joins(cell, '/');
+  if (joins(cell, ':')) return isDate ? "a date with a time of day" : "a time of day";
+  return isDate ? "a date" : "no finite number";
+}
+
 std::string cellsText(std::size_t count) {
   const char* const more = count == kMaxCells ? " or more" : "";
   return std::to_string(count) + more + (count == 1 ? " cell" : " cells");
@@ -104,7 +120,8 @@ double CsvTable::at(std::size_t row, std::size_t column, const std::string& reme
   const bool haveCommas =
       cell.find_first_not_of("+-.,0123456789") == cell.npos && cell.find(',') != cell.npos;
   failAt(row, "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
-                  quotedText(oneLine(cell, kLongestShown)) + ", which is no finite number; " +
+                  quotedText(oneLine(cell, kLongestShown)) + ", which is " +
+                  std::string(kindText(cell)) + "; " +
                   (haveCommas ? "write numbers without commas, such as 1000.5" : remedy));
 }
 

@@ -40,11 +40,14 @@ RateFit biasAlone(const Sums& sums) {
   return {.bias = (sums.rates - sums.slopes) / sums.count};
 }
 
+/// Returns the fit by both; by a bias alone where the slopes hardly vary, so that a factor, a bias
+/// along them and others' errors are alike.
 RateFit factorAndBias(const Sums& sums) {
+  constexpr double kVary = 0.01;
   const Eigen::Vector3d mean = sums.slopes / sums.count;
   const double variance = sums.square - mean.dot(sums.slopes);
   RateFit fit;
-  if (variance > 0) fit.factor = (sums.product - mean.dot(sums.rates)) / variance;
+  if (variance > kVary * sums.square) fit.factor = (sums.product - mean.dot(sums.rates)) / variance;
   fit.bias = (sums.rates - fit.factor * sums.slopes) / sums.count;
   return fit;
 }

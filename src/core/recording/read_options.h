@@ -15,12 +15,12 @@ namespace rotatebook::recording {
 /// The units of rates, as options state them.
 inline constexpr std::array<std::string_view, 2> kRateUnits{"rad/s", "deg/s"};
 /// The units of times, as options state them.
-inline constexpr std::array<std::string_view, 4> kTimeUnits{"s", "ms", "us", "ns"};
+inline constexpr std::array<std::string_view, 5> kTimeUnits{"s", "ms", "us", "ns", "min"};
 /// The axes of rates beside attitudes, as options state them.
 inline constexpr std::array<std::string_view, 2> kRateAxes{"world", "body"};
 
 /// Names of columns by what they hold: {"time", "t"}, {"wx", "Gyro X"}. What a column holds is one
-/// of columnRoles().
+/// of columnRoles(). An empty name leaves out what belongs to it: attitudes, for {"qw", ""}.
 using ColumnNames = std::vector<std::pair<std::string, std::string>>;
 
 /// Statements about a recording that its file doesn't make.

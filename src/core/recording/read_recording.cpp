@@ -82,14 +82,11 @@ void requireFollowed(const CsvTable& table, std::size_t row, const std::vector<R
 std::vector<Rate> ratesOf(const CsvTable& table, const Columns& columns, const SensorRows& rows,
                           const std::vector<double>& times, const Eigen::Vector3d& bias) {
   std::vector<Rate> rates;
-  double fastest = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const Eigen::Vector3d rate = rateAt(table, rows.motion[i], columns);
-    fastest = std::max(fastest, rate.norm());
-    rates.push_back({times[i], rate - bias});
+    rates.push_back({times[i], rateAt(table, rows.motion[i], columns) - bias});
     if (i > 0) requireFollowed(table, rows.motion[i], rates);
   }
-  requirePlausibleTurns(table, columns, times, fastest);
+  requirePlausibleTurns(table, columns, rates);
   return rates;
 }
 

@@ -29,14 +29,16 @@ enum class SpinSource {
   Gyroscope,  ///< Rates alone.
 };
 
-/// Rates as a multiple of the slopes of the attitudes beside them, and a bias. What isn't
-/// significant beside what they leave, is 1 and 0.
+/// Rates as a multiple of the slopes of the attitudes beside them, with a bias or turned, or either
+/// where a spin that hardly leaves its axis doesn't tell. What
+/// isn't significant beside what they leave, is 1 and 0.
 struct RateFit {
   double factor = 1;              ///< Of the slopes. [-]
   Eigen::Vector3d bias{0, 0, 0};  ///< [rad/s]
-  bool isBiasAlongBody = false;   ///< Else along the axes of the file's world.
+  Eigen::Vector3d turn{0, 0, 0};  ///< Rotation vector. [rad]
+  bool isAlongBody = false;       ///< Bias and turn; else along the axes of the file's world.
 
-  bool isOff() const { return factor != 1 || !bias.isZero(0); }
+  bool isOff() const { return factor != 1 || !bias.isZero(0) || !turn.isZero(0); }
 };
 
 /// The source of the spins of a recording, and their quality.

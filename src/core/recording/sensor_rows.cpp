@@ -102,7 +102,7 @@ double timeAt(const CsvTable& table, const Columns& columns, std::size_t row, do
   const std::optional<Decimal> units = table.decimalAt(row, columns.time);
   const double unitsASecond = std::round(1 / columns.secondsPerUnit);
   constexpr double kLargest = 4.5e18;  // whose differences have 63 bits
-  const bool isExact = units && std::abs(zero) * unitsASecond < kLargest &&
+  const bool isExact = units && unitsASecond >= 1 && std::abs(zero) * unitsASecond < kLargest &&
                        std::abs(static_cast<double>(units->whole)) < kLargest;
   if (zero == 0 || !isExact) return time - zero + beside;
   const std::int64_t whole =
@@ -135,7 +135,7 @@ SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsF
   if (needed.empty()) failEmpty(table, hasMotion ? motion : force);
   // Dates and times of day
   if (table.isText(needed.front(), columns.time))
-    table.at(needed.front(), columns.time, "write the times in s or ms");
+    table.at(needed.front(), columns.time, "write seconds, as since the start");
   const Indices others = isMerged ? result.force : Indices{};
   Indices all;
   std::set_union(result.motion.begin(), result.motion.end(), others.begin(), others.end(),
@@ -162,8 +162,11 @@ std::vector<double> timesOf(const CsvTable& table, const Columns& columns, const
     if (!(std::abs(time) <= kLargestTime)) table.failAt(rows[i], "the time is beyond 1e12 s");
     const double gap = i == 0 ? 1 : times[i] - times[i - 1];
     if (!(gap > 0)) {
-      table.failAt(rows[i],
-                   "the time " + shortestText(time) + " s isn't after that of the row before");
+      const std::string relation =
+          gap == 0 ? " s is that of the row before, too" : " s isn't after that of the row before";
+      table.failAt(rows[i], "the time " + shortestText(time) + relation +
+                                "; write times that ascend, with all their digits, or leave such "
+                                "rows out");
     }
     // Beyond rounding, so that slopes between neighbours are finite.
     if (!(gap > 1e-15 * std::abs(times[i]) && gap > 1e-9)) {
@@ -175,13 +178,31 @@ std::vector<double> timesOf(const CsvTable& table, const Columns& columns, const
 }
 
 void requirePlausibleTurns(const CsvTable& table, const Columns& columns,
-                           const std::vector<double>& times, double fastest) {
-  constexpr double kSlowest = 0.2;  // step of a sensor [s]
-  const double step = medianStep(times), turn = fastest * step;
-  if (columns.isTimeUnitStated || step <= kSlowest || !(turn > std::numbers::pi)) return;
+                           const std::vector<Rate>& rates) {
+  // Steps of a sensor. Shorter ones are simulated, or in minutes, in which throws seem to turn the
+  // body by little. [s]
+  constexpr double kSlowest = 0.2, kShortest = 5e-4;
+  constexpr std::size_t kMinRows = 50;
+  if (columns.isTimeUnitStated) return;
+  std::vector<double> times;
+  double fastest = 0, path = 0;
+  for (const Rate& rate : rates) {
+    const double speed = rate.angularVelocity.norm();
+    fastest = std::max(fastest, speed);
+    if (!times.empty()) path += speed * (rate.time - times.back());
+    times.push_back(rate.time);
+  }
+  const double step = medianStep(times), turn = fastest * step, last = std::abs(times.back());
+  if (step < kShortest && times.size() >= kMinRows && path < std::numbers::pi) {
+    failTimeUnit(table, columns,
+                 "its rows are " + roundedText(step, 3) + " s apart and the body turns by " +
+                     roundedText(path, 2) + " rad in all",
+                 step, last);
+  }
+  if (step <= kSlowest || !(turn > std::numbers::pi)) return;
   failTimeUnit(table, columns,
                "the body turns by up to " + roundedText(turn, 3) + " rad from row to row", step,
-               std::abs(times.back()));
+               last);
 }
 
 }  // namespace rotatebook::recording

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "recording/csv_table.h"
+#include "recording/gyroscope.h"
 #include "recording/table_columns.h"
 
 namespace rotatebook::recording {
@@ -34,10 +35,11 @@ double zeroOf(const CsvTable& table, const Columns& columns, std::size_t row);
 std::vector<double> timesOf(const CsvTable& table, const Columns& columns,
                             const std::vector<std::size_t>& rows, double zero);
 
-/// Throws InputError for times without a stated unit if a body that turns at `fastest`, as a sensor
-/// reads it, would turn by more than half a turn from row to row. [rad/s]
+/// Throws InputError for times without a stated unit if the body would turn by more than half a
+/// turn from row to row of a sensor or, where rows are nearer than a sensor's, by less than that in
+/// all.
 void requirePlausibleTurns(const CsvTable& table, const Columns& columns,
-                           const std::vector<double>& times, double fastest);
+                           const std::vector<Rate>& rates);
 
 /// Returns the median of the steps between at least two times. [s]
 double medianStep(const std::vector<double>& times);

@@ -163,7 +163,7 @@ AxesMistake swappedColumns(const RatesAndSlopes& table) {
       best.columns.determinant() > 0)
     text += "; or else " + columnsText(best.columns.transposed(), kVectorNames);
   if (best.areOtherAxes) text += "; and " + alongText(!table.areRatesAlongBody);
-  return {text, best.multiple};
+  return {.text = text, .multiple = best.multiple};
 }
 
 std::optional<AxesMistake> turnedAxes(const RatesAndSlopes& table) {
@@ -186,7 +186,7 @@ std::optional<AxesMistake> turnedAxes(const RatesAndSlopes& table) {
                          degreesOf(angle) + " about (" + roundedText(axis.x(), 3) + ", " +
                          roundedText(axis.y(), 3) + ", " + roundedText(axis.z(), 3) +
                          "); write both along the same axes",
-                     products.multipleOf(values.dot(signs))};
+                     products.multipleOf(values.dot(signs)), angle * axis};
 }
 
 }  // namespace rotatebook::recording

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include <Eigen/Core>
+
 #include "recording/rate_fit.h"
 
 namespace rotatebook::recording {
@@ -20,7 +22,8 @@ struct RatesAndSlopes {
 /// A mistake in a table's axes.
 struct AxesMistake {
   std::string text;
-  Multiple multiple{};  ///< Of the rates by the slopes without it.
+  Multiple multiple{};            ///< Of the rates by the slopes without it.
+  Eigen::Vector3d turn{0, 0, 0};  ///< Of turned axes, a rotation vector. [rad]
 };
 
 /// Returns the columns of rates or of quaternions that are swapped or negated, by the rates' fit to

@@ -69,9 +69,18 @@ Eigen::Matrix3d bodysTensor(const Eigen::Matrix3d& tensor) {
   return (result + result.transpose()) / 2;
 }
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-  throw InputError(name + ": the motion doesn't tell the inertia: " + reason +
-                   "; toss the body so that it tumbles, spun about its middle axis");
+/// Refuses a motion. Where the fit leaves much more than the noise at rest, it is other errors that
+/// hide the inertia, and not the motion.
+[[noreturn]] void refuse(const std::string& name, const std::string& reason, const TossFit& fit) {
+  constexpr double kMuch = 5;  // Steady spins leave 1 times the noise, measured.
+  const bool haveErrors = fit.noise > 0 && fit.residual > kMuch * fit.noise;
+  const std::string remedy =
+      haveErrors ? "any body's free motion differs from the rates by " +
+                       roundedText(fit.residual / fit.noise, 2) +
+                       " times the noise at rest, as where an axis has another scale, axes aren't "
+                       "square to each other, or times are wrong: calibrate the gyroscope"
+                 : "toss the body so that it tumbles, spun about its middle axis";
+  throw InputError(name + ": the motion doesn't tell the inertia: " + reason + "; " + remedy);
 }
 
 std::string degreesASecond(double rate) {
@@ -102,15 +111,20 @@ void requireFree(const TossFit& fit, const std::string& name) {
                    " of the spin of " + degreesASecond(fit.spin));
 }
 
-void requireGap(const Linear& linear, const TossFit& fit, const std::string& name) {
-  if (linear.gap >= kSmallestGap) return;  // NaN is refused.
-  if (linear.change > kLargestResidual) {
-    refuseFlight(fit, name,
-                 "any body's angular momentum would change by " + percentText(linear.change) +
-                     " (root mean square)");
-  }
-  refuse(name, "the gap of its singular values is " + roundedText(linear.gap, 3) +
-                   ", which is less than " + roundedText(kSmallestGap, 1));
+/// Refuses a flight in which no body's angular momentum stays.
+void requireMomentum(const Linear& linear, const TossFit& fit, const std::string& name) {
+  if (linear.gap >= kSmallestGap || linear.change <= kLargestResidual) return;
+  refuseFlight(fit, name,
+               "any body's angular momentum would change by " + percentText(linear.change) +
+                   " (root mean square)");
+}
+
+void requireGap(const TossFit& fit, const std::string& name) {
+  if (fit.gap >= kSmallestGap) return;  // NaN is refused.
+  refuse(name,
+         "the gap of its singular values is " + roundedText(fit.gap, 3) + ", which is less than " +
+             roundedText(kSmallestGap, 1),
+         fit);
 }
 
 /// Refuses a flight in which an axis stays at its extreme value for several readings.
@@ -146,8 +160,10 @@ void requireTelling(const TossFit& fit, const std::string& name) {
   for (const Estimate& ratio : fit.ratios) {
     const double width = ratio.high - ratio.low;
     if (width <= kWidest && ratio.value > 0) continue;
-    refuse(name, "a ratio of moments is " + roundedText(ratio.value, 3) +
-                     ", with an interval that is " + roundedText(width, 2) + " wide");
+    refuse(name,
+           "a ratio of moments is " + roundedText(ratio.value, 3) + ", with an interval that is " +
+               roundedText(width, 2) + " wide",
+           fit);
   }
   const auto& [smallest, middle] = fit.ratios;
   if (smallest.high + middle.high >= 1) return;
@@ -203,11 +219,12 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
 
   const Linear linear = solveLinear(flight);
   result.gap = linear.gap;
-  requireGap(linear, result, name);
+  requireMomentum(linear, result, name);
   const FreeSpinFit fit =
       fitFreeSpin(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity),
                   biasVariance(rest, (result.from + result.to) / 2 - recording.zero));
   result.residual = fit.residual;
+  requireGap(result, name);
   requireFree(result, name);
   result.widening = wideningFor(fit.residual, rest, flight.size());
   result.ratios = estimatesOf(fit, flight.size(), result.widening);

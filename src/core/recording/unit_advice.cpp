@@ -26,7 +26,7 @@ constexpr std::array<RateUnit, 4> kRates{{{1, kRateUnits[0], true},
                                           {std::numbers::pi / 180, kRateUnits[1], true},
                                           {kTurn, "turns a second", false},
                                           {kTurn / 60, "turns a minute", false}}};
-constexpr std::array<double, kTimeUnits.size()> kSeconds{1, 1e-3, 1e-6, 1e-9};
+constexpr std::array<double, kTimeUnits.size()> kSeconds{1, 1e-3, 1e-6, 1e-9, 60};
 
 bool areSame(double one, double other) {
   constexpr double kRounding = 1e-9;

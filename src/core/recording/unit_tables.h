@@ -22,7 +22,8 @@ inline constexpr Unit kUnitsOfTimes[]{
     {1, "s sec secs second seconds"},
     {1e-3, "ms msec msecs milli millis millisecond milliseconds"},
     {1e-6, "us usec usecs micro micros \xC2\xB5s \xCE\xBCs microsecond microseconds"},
-    {1e-9, "ns nsec nsecs nano nanos nanosec nanosecs nanosecond nanoseconds"}};
+    {1e-9, "ns nsec nsecs nano nanos nanosec nanosecs nanosecond nanoseconds"},
+    {60, "min mins minute minutes"}};
 
 /// [rad/s] The last names of the first two are those with a dot and superscripts.
 inline constexpr Unit kUnitsOfRates[]{

@@ -260,8 +260,8 @@ bool mayBeOfSteps(const recording::SpinFacts& spins, const std::vector<Sample>& 
   }
   const double mean = sum / static_cast<double>(samples.size() - 1);
   const double largest = kMargin * kOfMidpoint * mean;
-  return spins.fit.bias.isZero(0) && std::fabs(spins.fit.factor - 1) < largest &&
-         spins.difference < 2 * largest;
+  return spins.fit.bias.isZero(0) && spins.fit.turn.isZero(0) &&
+         std::fabs(spins.fit.factor - 1) < largest && spins.difference < 2 * largest;
 }
 
 /// Returns the verdict on a recording, whose rates aren't held against attitudes that agree alone.

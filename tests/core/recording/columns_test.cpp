@@ -74,6 +74,20 @@ TEST(Columns, RefuseTimesThatAreNoPlausibleSeconds) {
   // Whole milliseconds at 1 kHz, in which the body would turn by 20 rad from row to row
   EXPECT_THAT(columnsRefusal("t" + std::string(kRateNames) + "\n0,0,0,20\n1,0,0,20\n2,0,0,20\n"),
               AllOf(HasSubstr("turns by up to 20 rad"), HasSubstr("seems to be ms")));
+  // Minutes, of a throw at 100 Hz
+  std::string minutes;
+  for (int i = 0; i < 100; ++i) minutes += "\n" + std::to_string(i / 6000.0) + ",0,0,12";
+  EXPECT_EQ(
+      columnsRefusal("t" + std::string(kRateNames) + minutes),
+      "m.csv: the column \"t\" doesn't state its unit, and in seconds its rows are 0.000167 s "
+      "apart and the body turns by 0.2 rad in all; it seems to be min: state it in "
+      "simulation.time_unit, or with --time-unit min");
+  for (const char* header : {"t (min)", "time_min", "time in minutes"}) {
+    EXPECT_NEAR(durationOf(header + std::string(kRateNames) + minutes), 0.99, 1e-9) << header;
+  }
+  EXPECT_NEAR(durationOf("t (min)" + std::string(kRateNames) + rowsAt("29000000", 1)), 240, 1e-9);
+  EXPECT_NEAR(durationOf("t" + std::string(kRateNames) + minutes, {.timeUnit = "min"}), 0.99, 1e-9);
+  EXPECT_NEAR(durationOf("t" + std::string(kRateNames) + minutes, {.timeUnit = "s"}), 0.0165, 1e-9);
   // A stated unit is believed.
   const std::string rows = rowsAt("0", 10);
   EXPECT_EQ(durationOf("t" + std::string(kRateNames) + rows, {.timeUnit = "s"}), 40);
@@ -137,8 +151,8 @@ TEST(Columns, SayWhichHasNoNumbers) {
   }
   EXPECT_EQ(columnsRefusal("timestamp" + std::string(kRateNames) +
                            "\n2024-05-01 12:00:00.00,0,0,2\n2024-05-01 12:00:00.01,0,0,2\n"),
-            "m.csv:2: the column \"timestamp\" has \"2024-05-01 12:00:00.00\", which is no finite "
-            "number; write the times in s or ms");
+            "m.csv:2: the column \"timestamp\" has \"2024-05-01 12:00:00.00\", which is a date "
+            "with a time of day; write seconds, as since the start");
 }
 
 TEST(Columns, OfTheSameNameAreRefused) {

@@ -75,9 +75,9 @@ TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
     EXPECT_NEAR(motionOf(time + rates).duration(), 0.5, 1e-15) << time;
   EXPECT_NEAR(motionOf("t (\xC2\xB5s)" + rates).duration(), 5e-4, 1e-18);
   EXPECT_EQ(
-      refusal("t (min)" + rates),
-      "m.csv: the column \"t (min)\" has times in a unit that isn't read; there are s, ms, us "
-      "and ns: state one in simulation.time_unit, or with --time-unit");
+      refusal("t (h)" + rates),
+      "m.csv: the column \"t (h)\" has times in a unit that isn't read; there are s, ms, us, ns "
+      "and min: state one in simulation.time_unit, or with --time-unit");
 }
 
 TEST(ReadRecording, TakesNamedColumns) {
@@ -136,7 +136,20 @@ TEST(ReadRecording, TakesAPart) {
 TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
   const std::string rates = "t (s),wx (rad/s),wy (rad/s),wz (rad/s)\n";
   EXPECT_EQ(refusal(rates + "1,0,0,1\n1,0,0,1\n"),
-            "m.csv:3: the time 1 s isn't after that of the row before");
+            "m.csv:3: the time 1 s is that of the row before, too; write times that ascend, with "
+            "all their digits, or leave such rows out");
+  EXPECT_THAT(refusal(rates + "1,0,0,1\n.5,0,0,1\n"),
+              HasSubstr("m.csv:3: the time 0.5 s isn't after that of the row before; write"));
+  const auto ofTime = [&](const std::string& cell) {
+    return refusal(rates + cell + ",0,0,1\n" + cell + "1,0,0,1\n");
+  };
+  EXPECT_EQ(ofTime("12:03:04.5"),
+            "m.csv:2: the column \"t (s)\" has \"12:03:04.5\", which is a time of day; write "
+            "seconds, as since the start");
+  EXPECT_THAT(ofTime("2026-05-03"), HasSubstr("\"2026-05-03\", which is a date; write seconds"));
+  EXPECT_THAT(ofTime("3/5/2026"), HasSubstr("which is a date; write seconds"));
+  EXPECT_THAT(ofTime("2026-05-03T12:03:04.5Z"), HasSubstr("which is a date with a time of day"));
+  EXPECT_THAT(ofTime("soon"), HasSubstr("which is no finite number; write seconds"));
   EXPECT_EQ(refusal(rates + "1,0,0,1\n"), "m.csv: a single row; a motion takes at least two");
   EXPECT_EQ(refusal(rates + "1,0,0,1\n2,0,0,2e9\n"), "m.csv:3: the rate is over 1e9 rad/s");
   EXPECT_THAT(refusal(rates + "1,0,0,1\n2000,0,0,1\n"),

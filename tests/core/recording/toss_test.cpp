@@ -14,6 +14,7 @@
 namespace rotatebook::recording {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -71,6 +72,21 @@ TEST(Toss, WidensItsIntervalsByWhatIsntNoise) {
   EXPECT_GE(shareThatHolds({.scale = 0.005}), 0.9);            // measured 0.968
   EXPECT_GE(shareThatHolds({.stamps = 5e-4}), 0.93);           // measured 1
   EXPECT_GE(shareThatHolds({.drift = 0.05 * kDegree}), 0.88);  // measured 0.923
+}
+
+TEST(Toss, DoesntBlameTheMotionForErrorsOfTheGyroscope) {
+  const Eigen::Vector3d moments(0.0012, 0.0049, 0.006);
+  const auto refusalWith = [&](double scale, const Eigen::Vector3d& spin) {
+    Tosses tosses({.scale = scale});
+    const InertialRecording recording = tosses.toss(spin, Eigen::Matrix3d::Identity(), moments);
+    return refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.22, .to = 5.98}); });
+  };
+  EXPECT_THAT(refusalWith(0.03, {0.3, 12, 0.8}),
+              AllOf(HasSubstr("t.csv: the motion doesn't tell the inertia: "),
+                    HasSubstr(" times the noise at rest, as where an axis has another scale"),
+                    Not(HasSubstr("toss the body"))));
+  EXPECT_THAT(refusalWith(0, {0, 0, 10}), HasSubstr("toss the body so that it tumbles"));
+  EXPECT_THAT(refusalWith(0.03, {0, 0, 10}), HasSubstr("toss the body so that it tumbles"));
 }
 
 TEST(Toss, KeepsItsIntervalsToWhatBodiesCanHave) {

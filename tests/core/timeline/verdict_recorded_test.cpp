@@ -8,6 +8,7 @@ namespace rotatebook::timeline {
 namespace {
 
 using physics::Integrator;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 const Table kAttitudesAlone{.rates = ""};
@@ -157,7 +158,10 @@ TEST(VerdictOnRecordings, AMomentumThatTurnsALittleIsntKept) {
                      .bodyTurn = turn};
   const Verdict verdict = verdictOnText(textOf(exactBook(), turned));
   EXPECT_EQ(verdict.errs, Errs::TurnsSlightly) << methodThat(verdict);
-  EXPECT_THAT(methodThat(verdict), HasSubstr("rates along axes that are turned; the rates differ"));
+  EXPECT_THAT(
+      methodThat(verdict),
+      HasSubstr("rates along axes that are turned; the rates are turned from the attitudes' "
+                "slopes by 4 degrees about (0, 1, 0) "));
 }
 
 TEST(VerdictOnRecordings, AFactorOfTheRatesIsNoMotionsFault) {
@@ -185,6 +189,42 @@ TEST(VerdictOnRecordings, ABiasOfTheRatesIsNoMotionsFault) {
                                                              : "rad/s along the world's axes"));
     }
   }
+}
+
+TEST(VerdictOnRecordings, TurnedAxesOfTheRatesAreNoMotionsFault) {
+  for (const double degrees : {0.5, 3.0, 15.0}) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 2) / 3;
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(degrees * kDegree, axis));
+    const Table table{.rates = "gyrX (rad/s),gyrY (rad/s),gyrZ (rad/s)",
+                      .areAlongBody = true,
+                      .columns = turn.toRotationMatrix()};
+    const Verdict verdict = verdictOnText(textOf(exactBook(), table));
+    EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << degrees << ": " << methodThat(verdict);
+    // measured 1e-6
+    EXPECT_LT((verdict.spins.fit.turn - degrees * kDegree * axis).norm(), 1e-4 * degrees);
+    EXPECT_THAT(methodThat(verdict),
+                HasSubstr("turned from the attitudes' slopes by " + shortestText(degrees) +
+                          " degrees about (0.333, 0.667, 0.667) along the body's axes"));
+  }
+}
+
+TEST(VerdictOnRecordings, ASteadySpinDoesntTellABiasFromTurnedAxes) {
+  physics::MotionSettings steady = exactBook();
+  steady.initial.value = {0.1, 6, 0.05};
+  const auto textWith = [&](const Eigen::Matrix3d& columns) {
+    const Table table{.rates = "gyrX (rad/s),gyrY (rad/s),gyrZ (rad/s)",
+                      .areAlongBody = true,
+                      .columns = columns};
+    return methodThat(verdictOnText(textOf(steady, table)));
+  };
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(5 * kDegree, Eigen::Vector3d::UnitZ()));
+  EXPECT_THAT(textWith(turn.toRotationMatrix()),
+              AllOf(HasSubstr("have a bias of (-0.523, "),
+                    HasSubstr("along the body's axes, or are turned from the attitudes' slopes by "
+                              "5 degrees about (0, 0, 1)")));
+  // Nor a scale of one axis
+  const Eigen::Vector3d scales(1.03, 1, 1);
+  EXPECT_EQ(textWith(scales.asDiagonal()), "agrees with the exact motion");
 }
 
 TEST(VerdictOnRecordings, AFactorThatLongStepsMakeMayBeTheirs) {

@@ -154,10 +154,19 @@ TEST(WrongTable, AttitudesThatStayAreFound) {
   const auto still = [](std::vector<physics::Sample>& samples) {
     for (physics::Sample& sample : samples) sample.attitude = samples.front().attitude;
   };
-  for (const double noise : {0.0, 2e-3}) {
-    EXPECT_THAT(mistakeIn({.noise = noise, .spoil = still}),
-                HasSubstr("degrees in all, and the rates by 36"));
-  }
+  EXPECT_THAT(mistakeIn({.noise = 2e-3, .spoil = still}),
+              HasSubstr("degrees in all, and the rates by 36"));
+  EXPECT_THAT(mistakeIn({.spoil = still}),
+              AllOf(HasSubstr("m.csv: the quaternions stay (0."),
+                    HasSubstr(") in all rows, though the rates turn the body by 36"),
+                    HasSubstr("leave them out: state simulation.columns = { qw = \"\" }, or "
+                              "--column qw=")));
+  const Table table{.rates = "gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)",
+                    .areAlongBody = true,
+                    .spoil = still};
+  const recording::ReadOptions leftOut{.columns = {{"qw", ""}}};
+  const auto alone = recording::readRecording(textOf(exactBook(), table), "m.csv", leftOut);
+  EXPECT_EQ(alone.spins().source, recording::SpinSource::Gyroscope);
 }
 
 TEST(WrongTable, RatesOfAnotherMotionAreRefusedAlongTheWorldToo) {

@@ -79,9 +79,10 @@ const Keys<SimulationSettings>& recordedKeys() {
                                 "a table such as { time = \"t\", wx = \"Gyro X\" }"},
                   {.meaning = "the names of columns without a usual one",
                    .byDefault = "[usual names](recorded.md#columns)"}),
-      recordedKey("time_unit", &RecordedFile::timeUnit,
-                  optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\" or \"ns\""),
-                  {.meaning = "the unit of the file's times", .byDefault = "the header's"}),
+      recordedKey(
+          "time_unit", &RecordedFile::timeUnit,
+          optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\", \"ns\" or \"min\""),
+          {.meaning = "the unit of the file's times", .byDefault = "the header's"}),
       recordedKey("rates", &RecordedFile::rates,
                   optionalText(wordFrom<recording::kRateUnits>, "\"rad/s\" or \"deg/s\""),
                   {.meaning = "the unit of a gyroscope's rates", .byDefault = "the header's"}),

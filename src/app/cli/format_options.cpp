@@ -1,6 +1,7 @@
 #include "cli/format_options.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -56,16 +57,29 @@ bool isFolder(const std::string& output) {
          fs::is_directory(output, ignored);
 }
 
+bool isSameInSmallLetters(std::string_view ending, std::string_view small) {
+  return std::ranges::equal(ending, small, [](char letter, char other) {
+    return std::tolower(static_cast<unsigned char>(letter)) == other;
+  });
+}
+
 video::VideoFormat formatOf(const std::string& output) {
-  const std::string ending = fs::path(output).extension().string();
+  const fs::path path(output);
+  const std::string ending = path.extension().string();
   std::vector<std::string_view> endings;
   for (const video::VideoFormat format : video::kVideoFormats) {
-    if (ending == rowOf(format).ending) return format;
-    endings.push_back(rowOf(format).ending);
+    const std::string_view own = rowOf(format).ending;
+    if (ending == own) return format;
+    if (isSameInSmallLetters(ending, own)) {
+      throw InputError("--output " + output + ": videos end in small letters; write " +
+                       fs::path(path).replace_extension(own).string());
+    }
+    endings.push_back(own);
   }
   throw InputError("--output " + output + ": no video ends in " + quotedText(ending) +
-                   "; there are " + quotedList(endings, "and") + didYouMean(ending, endings) +
-                   "; for a folder of this name, write " + output + "/");
+                   "; there are " + quotedList(endings, "and") +
+                   "; for a folder of this name, write " + output + "/" +
+                   didYouMean(ending, endings));
 }
 
 /// Throws InputError if both folders and videos are named, of which a render makes one.

@@ -56,6 +56,16 @@ std::string keyNamed(std::string word) {
   return "";
 }
 
+/// Returns the commands that have an option, "render and simulate"; empty if none does.
+std::string commandsWith(const CLI::App& program, const std::string& option) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (!command->get_group().empty() && command->get_option_no_throw(option) != nullptr)
+      names.push_back(command->get_name());
+  }
+  return names.empty() ? "" : listed(names);
+}
+
 /// Returns how the unknown option `name` may have been meant; empty if nothing is near.
 std::string optionHint(const CLI::App& program, const std::string& name) {
   const CLI::App& command = chosen(program);
@@ -66,10 +76,8 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   const bool haveScenes = command.get_option_no_throw("--set") != nullptr;
   const std::string key = isNamed || !haveScenes ? "" : keyNamed(word);
   if (!key.empty()) return "; it is a key of scenes: --set " + key + "=...";
-  for (const CLI::App* other : program.get_subcommands({})) {
-    if (other->get_option_no_throw(name) != nullptr)
-      return "; it is an option of " + other->get_name();
-  }
+  if (const std::string others = commandsWith(program, name); !others.empty())
+    return "; it is an option of " + others;
   if (name.size() == 2) return "";
   // The dashes are no letters that they have in common.
   const auto nearest = nearestName(word, longOptions(command));

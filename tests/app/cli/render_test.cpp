@@ -242,7 +242,9 @@ TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
   EXPECT_EQ(refusal({"-o", "a.mov"}),
             "rotatebook: --output a.mov: no video ends in \".mov\"; there are \".mp4\", "
             "\".webm\", \".gif\" and \".apng\"; for a folder of this name, write a.mov/\n");
-  EXPECT_THAT(refusal({"-o", "a.mp5"}), HasSubstr("did you mean \".mp4\"?"));
+  EXPECT_THAT(refusal({"-o", "a.mp5"}), EndsWith("write a.mp5/; did you mean \".mp4\"?\n"));
+  EXPECT_EQ(refusal({"-o", "A.B.MP4"}),
+            "rotatebook: --output A.B.MP4: videos end in small letters; write A.B.mp4\n");
   EXPECT_EQ(refusal({"b.toml", "-o", "a.mp4"}),
             "rotatebook: --output a.mp4: one video for 2 scenes; name a folder\n");
   EXPECT_EQ(refusal({"-o", "a.mp4", "-o", "b.gif"}),

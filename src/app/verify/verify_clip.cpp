@@ -132,7 +132,9 @@ class Verifier {
                                                  .height = scene.clip.height,
                                                  .frameRate = scene.clip.frameRate,
                                                  .frames = range.count(),
-                                                 .transparent = scene::isTransparent(scene)});
+                                                 .transparent = scene::isTransparent(scene),
+                                                 .crf = scene.video.crf,
+                                                 .preset = scene.video.preset});
   }
 
   /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers', or

@@ -17,6 +17,9 @@ struct WrittenForm {
   FrameRate frameRate{};
   std::int64_t frames = 0;   ///< The number of pictures.
   bool transparent = false;  ///< The pictures have alpha.
+  int crf = 18;              ///< MP4: VideoSettings::crf
+  /// MP4: VideoSettings::preset; if empty, the settings in the encoder's note aren't compared.
+  std::string preset{};
 };
 
 /// The coded pictures of a file and its texts, as FFmpeg reads them.

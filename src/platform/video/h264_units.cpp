@@ -196,9 +196,9 @@ bool isOfKnownVersion(std::string_view note) {
   return version >= kOldest;
 }
 
-/// Returns whether `text`, "cabac=1 ref=3 ...", states settings of libx264, each once: no word is
-/// free but numbers.
-bool areSettings(const std::string& text) {
+/// Returns whether `text`, "cabac=1 ref=3 ...", states settings of libx264, each once and `needed`
+/// among them: no word is free but numbers.
+bool areSettings(const std::string& text, const std::vector<std::string>& needed) {
   static const std::regex kSetting(
       "(8x8dct|analyse|aq|b_adapt|b_bias|b_pyramid|bframes|bluray_compat|cabac|chroma_me|"
       "chroma_qp_offset|constrained_intra|cqm|crf|deadzone|deblock|decimate|direct|fast_pskip|"
@@ -207,18 +207,22 @@ bool areSettings(const std::string& text) {
       "scenecut|sliced_threads|stitchable|subme|threads|trellis|weightb|weightp)="
       "(dia|hex|umh|esa|tesa|crf|cqp|infinite|[-+0-9.]{1,6}([:,][-+0-9.]{1,6}){0,2}|"
       "0x[0-9a-f]{1,4}:0x[0-9a-f]{1,4})");
-  std::set<std::string> names;
+  std::set<std::string> names, settings;
   std::istringstream words(text);
   std::size_t length = 0;
   for (std::string word; words >> word; length += word.size() + 1) {
     std::smatch parts;
     if (!std::regex_match(word, parts, kSetting) || !names.insert(parts[1]).second) return false;
+    settings.insert(word);
   }
-  return length == text.size() + 1;  // One space between two.
+  const bool areAll =
+      std::ranges::all_of(needed, [&](const auto& one) { return settings.contains(one); });
+  return areAll && length == text.size() + 1;  // One space between two.
 }
 
-/// Returns whether `note` has the words of libx264, of whatever build, and no others.
-bool isPlainNote(std::string_view note) {
+/// Returns whether `note` has the words of libx264, of whatever build, and no others, and the
+/// settings of the form.
+bool isPlainNote(std::string_view note, const WrittenForm& form) {
   constexpr std::size_t kLongest = 2000;
   static const std::regex kVersion(
       "x264 - core [0-9]{3}( r[0-9]{1,5}([+][0-9]{1,4})?M?( [0-9a-f]{7,12}M?)?)? - "
@@ -229,11 +233,11 @@ bool isPlainNote(std::string_view note) {
   note.remove_suffix(1);
   const std::size_t end = note.find(kOptions);
   return end != note.npos && std::regex_match(std::string(note.substr(0, end)), kVersion) &&
-         areSettings(std::string(note.substr(end + kOptions.size())));
+         areSettings(std::string(note.substr(end + kOptions.size())), noteSettings(form));
 }
 
 /// Returns whether a unit is a single message: libx264's version and settings.
-bool isNote(Bytes unit) {
+bool isNote(Bytes unit, const WrittenForm& form) {
   constexpr std::array<std::uint8_t, 16> kX264{0xdc, 0x45, 0xe9, 0xbd, 0xe6, 0xd9, 0x48, 0xb7,
                                                0x96, 0x2c, 0xd8, 0x20, 0xd9, 0x23, 0xee, 0xef};
   constexpr std::uint8_t kOwnData = 5, kEnd = 0x80;
@@ -247,7 +251,8 @@ bool isNote(Bytes unit) {
     return false;
   const std::string_view note(reinterpret_cast<const char*>(bytes.data()) + at, length);
   return std::equal(kX264.begin(), kX264.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at)) &&
-         isOfKnownVersion(note.substr(kX264.size())) && isPlainNote(note.substr(kX264.size()));
+         isOfKnownVersion(note.substr(kX264.size())) &&
+         isPlainNote(note.substr(kX264.size()), form);
 }
 
 /// Returns whether a slice begins a picture (7.3.3), and is of the only parameters.
@@ -319,11 +324,11 @@ bool PictureOrder::isPlain(Bytes packet, std::int64_t frame) {
   return !isKey || in.bits(2) == 0;  // Those before it are shown; it is kept as others are.
 }
 
-CodedPicture h264Picture(Bytes packet, bool first) {
+CodedPicture h264Picture(Bytes packet, bool first, const WrittenForm& form) {
   Bytes rest = packet;
   Bytes unit = takeUnit(rest, 4);
   if (typeOf(unit) == kMessage && first) {
-    if (!isNote(unit) || hidesUnit(unit)) return {.difference = "a foreign message"};
+    if (!isNote(unit, form) || hidesUnit(unit)) return {.difference = "a foreign message"};
     unit = takeUnit(rest, 4);
   }
   const int type = typeOf(unit);

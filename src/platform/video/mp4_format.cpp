@@ -1,12 +1,17 @@
 // H.264 in MP4.
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "video/coded_units.h"
 #include "video/pixel_converter.h"
 #include "video/stages.h"
 
@@ -69,9 +74,13 @@ constexpr std::string_view kBookParams =
 // At the same rate factor it would be even closer to the frames than medium, and larger.
 constexpr double kBookCrfOffset = 1.5;
 
+double rateFactorOf(int crf, std::string_view preset) {
+  return preset == kBookPreset ? std::min(crf + kBookCrfOffset, 1.0 * kWorstCrf) : crf;
+}
+
 void setX264Options(const VideoSettings& settings, Dictionary& options) {
   const bool book = settings.preset == kBookPreset;
-  const double crf = book ? std::min(settings.crf + kBookCrfOffset, 1.0 * kWorstCrf) : settings.crf;
+  const double crf = rateFactorOf(settings.crf, settings.preset);
   options.set("preset", book ? std::string(kBookBase) : settings.preset);
   options.set("crf", shortestText(crf));
   // cpu-independent: otherwise x264 chooses algorithms by the processor, and the same scene gives
@@ -83,6 +92,22 @@ void setX264Options(const VideoSettings& settings, Dictionary& options) {
 }
 
 }  // namespace
+
+std::vector<std::string> noteSettings(const WrittenForm& form) {
+  if (form.preset.empty()) return {};
+  // Of kVideoPresets, with what kBookParams says of the first.
+  constexpr std::array<int, kVideoPresets.size()> kSubme{0, 0, 1, 2, 4, 6, 7, 8, 9, 10, 11};
+  const auto place = std::ranges::find(kVideoPresets, form.preset) - kVideoPresets.begin();
+  std::array<char, 16> crf{};
+  std::snprintf(crf.data(), crf.size(), "crf=%.1f", rateFactorOf(form.crf, form.preset));
+  std::vector<std::string> settings{
+      "rc=crf", crf.data(), "8x8dct=1",
+      "subme=" + std::to_string(kSubme.at(static_cast<std::size_t>(place)))};
+  if (form.preset != kBookPreset) return settings;
+  for (const char* own : {"weightp=0", "scenecut=0", "aq=1:0.50", "cabac=0"})
+    settings.emplace_back(own);
+  return settings;
+}
 
 Stages makeMp4Stages(const VideoSettings& settings) {
   validate(settings);

@@ -25,8 +25,9 @@ Bytes parametersOf(const ClipInput& input) {
   return {codec.extradata, static_cast<std::size_t>(codec.extradata_size)};
 }
 
-CodedPicture h264PictureOf(Bytes packet, bool first, std::int64_t frame, PictureOrder& order) {
-  CodedPicture picture = h264Picture(packet, first);
+CodedPicture h264PictureOf(Bytes packet, const WrittenForm& form, bool first, std::int64_t frame,
+                           PictureOrder& order) {
+  CodedPicture picture = h264Picture(packet, first, form);
   if (!order.isPlain(packet, frame) && picture.difference.empty())
     picture.difference = "the numbers of another order";
   return picture;
@@ -52,7 +53,7 @@ Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string
     const Bytes bytes(packet->data, static_cast<std::size_t>(packet->size));
     const CodedPicture picture = input.format() == VideoFormat::WebM
                                      ? vp9PictureOf(*packet, form)
-                                     : h264PictureOf(bytes, payload.sizes.empty(),
+                                     : h264PictureOf(bytes, form, payload.sizes.empty(),
                                                      av_rescale_q(packet->pts, tick, frame), order);
     if (difference.empty() && !picture.difference.empty()) {
       difference = "picture " + std::to_string(payload.sizes.size()) + ", as coded, holds " +

@@ -128,7 +128,7 @@ TEST(CodedUnits, HideNoUnits) {
   });
   EXPECT_NE(found.stream, "");
   const std::vector<std::uint8_t> hiding{0, 0, 0, 7, 0x41, 0x9a, 0x24, 0, 0, 1, 0x41};
-  EXPECT_THAT(h264Picture(hiding, false).difference, HasSubstr("isn't a whole picture"));
+  EXPECT_THAT(h264Picture(hiding, false, {}).difference, HasSubstr("isn't a whole picture"));
 }
 
 // By such numbers some decoders order pictures, or show none of those that still wait.
@@ -252,7 +252,7 @@ TEST(CodedUnits, OfAnyBytesAreRead) {
     for (std::uint8_t& byte : bytes)
       byte = static_cast<std::uint8_t>((value = value * 1664525U + 1013904223U) >> 24);
     EXPECT_NE(h264Difference(bytes, kForm, {}), "");
-    h264Picture(bytes, true);
+    h264Picture(bytes, true, {});
     PictureOrder(bytes).isPlain(bytes, seed);
     vp9Picture(bytes, kForm);
   }

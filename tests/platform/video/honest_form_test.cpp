@@ -17,6 +17,15 @@
 namespace rotatebook::video {
 namespace {
 
+WrittenForm honestForm(const VideoSettings& settings, int pictures) {
+  return {.width = settings.width,
+          .height = settings.height,
+          .frameRate = settings.frameRate,
+          .frames = pictures,
+          .crf = settings.crf,
+          .preset = settings.preset};
+}
+
 /// Writes pictures of noise; returns what differs in the file from what is written so.
 FormDifferences differencesOfNoise(VideoFormat format, const VideoSettings& settings,
                                    int pictures) {
@@ -32,10 +41,7 @@ FormDifferences differencesOfNoise(VideoFormat format, const VideoSettings& sett
     writer.write(picture.view());
   }
   writer.finish();
-  return differencesFromWritten(path, {.width = settings.width,
-                                       .height = settings.height,
-                                       .frameRate = settings.frameRate,
-                                       .frames = pictures});
+  return differencesFromWritten(path, honestForm(settings, pictures));
 }
 
 VideoSettings settingsOf(int width, int height, int rate, int crf) {
@@ -46,6 +52,18 @@ VideoSettings settingsOf(int width, int height, int rate, int crf) {
   settings.crf = crf;
   settings.comment = "# a record";
   return settings;
+}
+
+/// Returns settings of other clips than those: of another rate factor, and of other presets.
+std::vector<VideoSettings> othersThan(const VideoSettings& settings) {
+  std::vector<VideoSettings> others{settings};
+  others.back().crf = settings.crf + 1;
+  for (const std::string_view preset : kVideoPresets) {
+    if (preset == settings.preset) continue;
+    others.push_back(settings);
+    others.back().preset = preset;
+  }
+  return others;
 }
 
 // Each has parameters and an order of its own.
@@ -60,9 +78,12 @@ TEST(HonestForm, IsThatOfEachPreset) {
       VideoWriter writer(VideoFormat::Mp4, path, settings);
       for (int n = 0; n < kMany; ++n) writer.write(testing::barPicture(n * n % 24).view());
       writer.finish();
-      const FormDifferences found = differencesFromWritten(
-          path, {.width = settings.width, .height = settings.height, .frames = kMany});
+      const FormDifferences found = differencesFromWritten(path, honestForm(settings, kMany));
       EXPECT_EQ(found.container + found.stream, "") << preset << " " << interval;
+      for (const VideoSettings& other : othersThan(settings)) {
+        const FormDifferences difference = differencesFromWritten(path, honestForm(other, kMany));
+        EXPECT_NE(difference.stream, "") << preset << " " << other.preset << " " << other.crf;
+      }
     }
   }
 }

@@ -42,7 +42,7 @@ class ExactMotion {
   Eigen::Vector3d angularVelocityBodyAt(double time) const;
 
   Regime regime() const { return regime_; }
-  /// Returns the time between sign changes of the angular velocity about the median axis: half its
+  /// Returns the time between sign changes of the angular velocity about the middle axis: half its
   /// period. Infinite if there is no period: on the separatrix and in a steady spin. [s]
   double flipInterval() const;
 

@@ -44,8 +44,8 @@ Vector3d unit(std::size_t axis) {
 // Chooses which axes carry cn, sn and dn. L circles the dn axis: that of the largest moment where
 // N2 > 0, else that of the smallest, with the roles of both exchanged.
 AxisRoles axesOfMotion(const DoubleDouble3& inertia, double n2) {
-  const auto [smallest, median, largest] = ascendingAxes(inertia);
-  return n2 < 0 ? AxisRoles{largest, median, smallest} : AxisRoles{smallest, median, largest};
+  const auto [smallest, middle, largest] = ascendingAxes(inertia);
+  return n2 < 0 ? AxisRoles{largest, middle, smallest} : AxisRoles{smallest, middle, largest};
 }
 
 // Returns +1 if the axes in the order of their moments are right-handed, else -1. It is the product
@@ -110,15 +110,15 @@ class PolhodeConstants {
   DoubleDouble rootD_;         // sqrt|L^2 - 2 T Id|, without cancellation
 };
 
-DoubleDouble medianRootOf(const DoubleDouble3& inertia, const DoubleDouble3& w) {
+DoubleDouble middleRootOf(const DoubleDouble3& inertia, const DoubleDouble3& w) {
   const auto [first, second, third] = ascendingAxes(inertia);
-  return medianInvariantRoot({inertia[first], inertia[second], inertia[third]}, w[first], w[third]);
+  return middleInvariantRoot({inertia[first], inertia[second], inertia[third]}, w[first], w[third]);
 }
 
 PolhodeConstants::PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w)
     : w_(w),
       handedness_(handedness(inertia)),
-      rootS_(medianRootOf(inertia, w)),
+      rootS_(middleRootOf(inertia, w)),
       axes_(axesOfMotion(inertia, rootS_.high)),
       ic_(inertia[axes_.c]),
       is_(inertia[axes_.s]),
@@ -130,7 +130,7 @@ PolhodeConstants::PolhodeConstants(const DoubleDouble3& inertia, const DoubleDou
       rootD_(hypotenuse(squareRoot(cd_ * ic_) * w[axes_.c], squareRoot(sd_ * is_) * w[axes_.s])) {}
 
 // Returns whether the spin is steady apart from components that would underflow. The last condition
-// finds a spin about the median axis.
+// finds a spin about the middle axis.
 bool PolhodeConstants::isSteady() const {
   constexpr double kNegligible = 1e-290, kNegligibleTilt = 1e-305;
   const double tilt = std::max(std::fabs(w_[axes_.c].high), std::fabs(w_[axes_.d].high));

@@ -36,7 +36,7 @@ struct Polhode {
 /// Returns the polhode of a body with these principal moments [kg m^2] and, at t = 0, this angular
 /// velocity along the principal axes [rad/s]; nullopt if the spin is steady, that is w x L = 0,
 /// exactly or apart from components under 1e-280 of the largest (under 1e-305 for a spin about the
-/// median axis).
+/// middle axis).
 std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
                                  const DoubleDouble3& angularVelocity);
 

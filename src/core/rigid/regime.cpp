@@ -46,7 +46,7 @@ ExactTerms product(const std::array<DoubleDouble, 4>& factors) {
 // Spins in a smaller ratio are far from the separatrix, and its square would underflow.
 constexpr double kNegligibleSpin = 1e-90;
 
-DoubleDouble medianInvariant(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
+DoubleDouble middleInvariant(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
   const auto [i1, i2, i3] = moments;
   const std::array<std::array<DoubleDouble, 4>, 4> products{
       {{i3, i3, w3, w3}, {-i3, i2, w3, w3}, {i1, i1, w1, w1}, {-i1, i2, w1, w1}}};
@@ -73,7 +73,7 @@ std::array<int, 3> axesByInertia(const DoubleDouble3& inertia) {
   return axes;
 }
 
-DoubleDouble medianInvariantRoot(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
+DoubleDouble middleInvariantRoot(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
   if (moments[0] == moments[1]) w1 = 0.0;
   if (moments[2] == moments[1]) w3 = 0.0;
   const double larger = std::max(std::fabs(w1.high), std::fabs(w3.high));
@@ -83,7 +83,7 @@ DoubleDouble medianInvariantRoot(const DoubleDouble3& moments, DoubleDouble w1, 
     const DoubleDouble part = scaled(w, -spin);
     return std::fabs(part.high) < kNegligibleSpin ? 0.0 : part;
   };
-  const DoubleDouble n2 = medianInvariant(
+  const DoubleDouble n2 = middleInvariant(
       {scaled(moments[0], -inertia), scaled(moments[1], -inertia), scaled(moments[2], -inertia)},
       ratio(w1), ratio(w3));
   const DoubleDouble root = scaled(squareRoot(absolute(n2)), spin + inertia);
@@ -107,7 +107,7 @@ Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angula
   // Scale the spins, because the root would underflow if they were tiny.
   const int spin = std::ilogb(larger);
   const double root =
-      medianInvariantRoot({sorted(inertia, 0), sorted(inertia, 1), sorted(inertia, 2)},
+      middleInvariantRoot({sorted(inertia, 0), sorted(inertia, 1), sorted(inertia, 2)},
                           scaled(w1, -spin), scaled(w3, -spin))
           .high;
   return static_cast<Regime>((root > 0) - (root < 0));

@@ -133,7 +133,7 @@ void placeMark(const ValueReader& value, const MapSettings& map, MapMark& mark) 
   if (!mark.moments) return;
   std::ranges::sort(*mark.moments);
   const double smallest = (*mark.moments)[0] / (*mark.moments)[2];
-  const double median = (*mark.moments)[1] / (*mark.moments)[2];
+  const double middle = (*mark.moments)[1] / (*mark.moments)[2];
   const bool isAcross =
       map.x.kind == AxisKind::SmallestMoment && map.y.kind == AxisKind::MiddleMoment;
   const bool isUp = map.y.kind == AxisKind::SmallestMoment && map.x.kind == AxisKind::MiddleMoment;
@@ -141,8 +141,8 @@ void placeMark(const ValueReader& value, const MapSettings& map, MapMark& mark) 
     value.find("moments")->fail(value.name() +
                                 ".moments needs the axes moments.smallest and moments.middle");
   }
-  mark.x = isAcross ? smallest : median;
-  mark.y = isAcross ? median : smallest;
+  mark.x = isAcross ? smallest : middle;
+  mark.y = isAcross ? middle : smallest;
 }
 
 void checkMarks(const ValueReader& section, MapSettings& map) {

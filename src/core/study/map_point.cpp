@@ -51,14 +51,14 @@ void turnSpin(const Values& values, MotionSettings& motion) {
 /// keeps its rank. Throws InputError unless the first is the smallest.
 void changeMoments(const Values& values, MotionSettings& motion) {
   const auto smallest = values.of(AxisKind::SmallestMoment);
-  const auto median = values.of(AxisKind::MiddleMoment);
-  if (!smallest && !median) return;
+  const auto middle = values.of(AxisKind::MiddleMoment);
+  if (!smallest && !middle) return;
   const rigid::PrincipalAxes old = modelInertia(motion);
   const auto axes = rigid::axesByInertia(old.moments);
   Eigen::Vector3d moments = old.moments;
   const double largest = moments[axes[2]];
   if (smallest) moments[axes[0]] = *smallest * largest;
-  if (median) moments[axes[1]] = *median * largest;
+  if (middle) moments[axes[1]] = *middle * largest;
   if (moments[axes[0]] > moments[axes[1]]) {
     throw InputError("the smallest moment of inertia, " + shortestText(moments[axes[0]]) +
                      ", is larger than the middle one, " + shortestText(moments[axes[1]]));

@@ -106,11 +106,11 @@ void setSpunAxis(const Sorted& sorted, Spin& spin) {
 void setMargin(const Sorted& sorted, Spin& spin) {
   const auto& [i1, i2, i3] = spin.moments;
   const double root =
-      rigid::medianInvariantRoot(sorted.inertia, sorted.spin[0], sorted.spin[2]).value();
+      rigid::middleInvariantRoot(sorted.inertia, sorted.spin[0], sorted.spin[2]).value();
   const double share = root / std::sqrt(2 * spin.energy * i2);
   spin.margin = share * std::fabs(share);
 
-  // The separatrix is two planes through the median axis; their normals have these components
+  // The separatrix is two planes through the middle axis; their normals have these components
   const double n1 = std::sqrt(i1 * (i2 - i1)), n3 = std::sqrt(i3 * (i3 - i2));
   const double sum = n1 * std::fabs(sorted.spin[0].high) + n3 * std::fabs(sorted.spin[2].high);
   spin.toSeparatrix = 0;

@@ -45,7 +45,7 @@ struct Spin {
   bool isSteady = false;     ///< Exactly about a principal axis: the angular velocity stays.
   rigid::Regime regime = rigid::Regime::Separatrix;
   /// lambda = W sqrt((I2 - I1)(I3 - I2)/(I1 I3)), with which small deviations from a spin about the
-  /// median axis grow as e^(lambda t); only if that is the spun axis. [1/s]
+  /// middle axis grow as e^(lambda t); only if that is the spun axis. [1/s]
   std::optional<double> growth{};
   /// Rate at which small deviations from a spin about another axis circle it; only if that is the
   /// spun axis: W sqrt((I2 - I1)(I3 - I1)/(I2 I3)) and W sqrt((I3 - I1)(I3 - I2)/(I1 I2)). [rad/s]

@@ -27,7 +27,7 @@ constexpr double kTrailTime = 1.5;  // of the clip [s]
 constexpr Colour kEllipsoidColour{0.46, 0.54, 0.68};
 
 /// Returns the rotation from the principal axes to right, up and toward the viewer, who looks from
-/// the side of the median axis and from a little above.
+/// the side of the middle axis and from a little above.
 Eigen::Matrix3d viewFromAxes() {
   constexpr double kAzimuth = 1.02, kElevation = 0.42;  // [rad]
   const double ca = std::cos(kAzimuth), sa = std::sin(kAzimuth);
@@ -79,8 +79,8 @@ int MomentumSurfaces::roundAxis(double radius) const {
   Eigen::Index least = 0, most = 0;
   halfAxes_.minCoeff(&least);
   halfAxes_.maxCoeff(&most);
-  const auto median = 3 - least - most;
-  return static_cast<int>(least == most || radius > halfAxes_[median] ? most : least);
+  const auto middle = 3 - least - most;
+  return static_cast<int>(least == most || radius > halfAxes_[middle] ? most : least);
 }
 
 std::vector<Eigen::Vector3d> MomentumSurfaces::polhode(double radius, bool positive) const {

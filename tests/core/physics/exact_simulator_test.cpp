@@ -84,9 +84,9 @@ TEST(ExactSimulator, StartsWithTheBookAsItIs) {
   EXPECT_LT((state.angularVelocity - initialAngularVelocity(settings)).norm(), kExactBound);
 }
 
-// The tensor times (1, 2, 2) is 4.5 (1, 2, 2), the median moment: the least rounding of an axis
+// The tensor times (1, 2, 2) is 4.5 (1, 2, 2), the middle moment: the least rounding of an axis
 // would turn the body over within half a minute.
-MotionSettings aboutTheMedianAxis() {
+MotionSettings aboutTheMiddleAxis() {
   Eigen::Matrix3d tensor;
   tensor << 4, -1, 1.25, -1, 4.75, 0.25, 1.25, 0.25, 3.625;
   MotionSettings settings;
@@ -106,8 +106,8 @@ double tiltChange(const MotionSettings& settings) {
   return change;
 }
 
-TEST(ExactSimulator, SpinsAboutTheMedianAxisForEver) {
-  MotionSettings settings = aboutTheMedianAxis();
+TEST(ExactSimulator, SpinsAboutTheMiddleAxisForEver) {
+  MotionSettings settings = aboutTheMiddleAxis();
   EXPECT_LT(tiltChange(settings), kSteadyBoundDeg);
   EXPECT_EQ(simulate(settings, 1).samples[0].regime, rigid::Regime::Separatrix);
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;

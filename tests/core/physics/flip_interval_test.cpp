@@ -18,7 +18,7 @@ constexpr double kInterpolationBound = 1e-5;  // of the interval; measured 2e-6
 constexpr double kLargeTiltBound = 1e-4;      // of the law at a tilt of 0.1; measured 2.5e-5
 constexpr double kTinyTiltBound = 1e-7;       // of the law at a tilt of 1e-4; measured 2e-9
 
-const Vector3d kMoments = Cuboid{}.solidInertia();  // x is the median axis, y the smallest
+const Vector3d kMoments = Cuboid{}.solidInertia();  // x is the middle axis, y the smallest
 
 MotionSettings tilted(double angle, int axis) {
   MotionSettings settings = spinning(Model::Exact, {kSpinRate, 0, 0}, 1.0 / 60);
@@ -54,7 +54,7 @@ TEST(FlipTimes, AreThoseOfTheExactMotion) {
 TEST(FlipTimes, AreNoneOfASpinAboutAnotherAxis) {
   const MotionSettings settings = spinning(Model::Exact, {0.01, kSpinRate, 0.01}, 1.0 / 60);
   rigid::PrincipalAxes other = modelInertia(settings);
-  std::swap(other.moments[0], other.moments[1]);  // so that y is called the median axis
+  std::swap(other.moments[0], other.moments[1]);  // so that y is called the middle axis
   EXPECT_TRUE(flipTimes(simulate(settings, 600), other).empty());
 }
 
@@ -112,9 +112,9 @@ TEST(AsymptoticFlipInterval, IsInfiniteWhereNothingEverFlips) {
             std::numeric_limits<double>::infinity());
 }
 
-TEST(MedianAxis, IsThatOfTheMiddleMoment) {
-  EXPECT_EQ(medianAxis({{2, 1, 3}}), Vector3d(1, 0, 0));
-  EXPECT_EQ(medianAxis({{1.5, 3, 2}}), Vector3d(0, 0, 1));
+TEST(MiddleAxis, IsThatOfTheMiddleMoment) {
+  EXPECT_EQ(middleAxis({{2, 1, 3}}), Vector3d(1, 0, 0));
+  EXPECT_EQ(middleAxis({{1.5, 3, 2}}), Vector3d(0, 0, 1));
 }
 
 }  // namespace

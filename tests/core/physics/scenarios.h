@@ -22,7 +22,7 @@ inline constexpr double kSpinRate = 2 * std::numbers::pi;
 /// kSpinRate about that axis makes it.
 struct Scenario {
   Model model = Model::Quaternion;
-  int axis = 0;  ///< 0, 1, 2: x (median moment of inertia), y (smallest), z (largest)
+  int axis = 0;  ///< 0, 1, 2: x (middle moment of inertia), y (smallest), z (largest)
   double slant = 0;
   bool normalize = true;
   double damping = 1;   ///< Fraction of the paper's critical damping.

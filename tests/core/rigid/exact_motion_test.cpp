@@ -31,7 +31,7 @@ constexpr double kStartBound = 5e-15;       // measured 7e-16
 constexpr double kDerivativeBound = 1e-10;  // of the attitude, by differences; measured 1.3e-11
 constexpr double kComposedBound = 1e-13;    // measured 2.8e-14
 
-const Vector3d kBook(0.05 / 12, 0.0241 / 12, 0.0709 / 12);  // median, smallest, largest
+const Vector3d kBook(0.05 / 12, 0.0241 / 12, 0.0709 / 12);  // middle, smallest, largest
 constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kTimes[] = {0, 0.01, 1, 7.7, 31, 100, -0.3, -100};
 

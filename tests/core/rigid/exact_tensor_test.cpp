@@ -81,7 +81,7 @@ TEST(ExactTensor, HasMomentsAndAxesOfTwiceTheDigits) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_LT(std::fabs((moments[i] - expected[i]).high), 9 * kPairBound);
   }
-  // Of the median axis, but for its sign
+  // Of the middle axis, but for its sign
   const DoubleDouble3 along = axes.alongPrincipal(threeAxes().col(1));
   EXPECT_EQ(along[0].high, 0);
   EXPECT_EQ(along[2].high, 0);

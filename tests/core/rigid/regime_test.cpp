@@ -86,13 +86,13 @@ TEST(Regime, OfSymmetricTopsAndSpheres) {
 }
 
 TEST(MedianInvariantRoot, HasTheSignAndSizeOfTheInvariant) {
-  EXPECT_EQ(medianInvariantRoot({3, 4, 6}, 0, 1).value(), std::sqrt(12));
-  EXPECT_EQ(medianInvariantRoot({3, 4, 6}, 1, 0).value(), -std::sqrt(3));
-  EXPECT_DOUBLE_EQ(medianInvariantRoot({3e12, 4e12, 6e12}, 0, 1e-300).value(),
+  EXPECT_EQ(middleInvariantRoot({3, 4, 6}, 0, 1).value(), std::sqrt(12));
+  EXPECT_EQ(middleInvariantRoot({3, 4, 6}, 1, 0).value(), -std::sqrt(3));
+  EXPECT_DOUBLE_EQ(middleInvariantRoot({3e12, 4e12, 6e12}, 0, 1e-300).value(),
                    1e-288 * std::sqrt(12));
   // 12 - 3 (2 - d)^2 = 12 d - 3 d^2 for one unit in the last place d.
   const double unit = std::numeric_limits<double>::epsilon();
-  EXPECT_DOUBLE_EQ(medianInvariantRoot({3, 4, 6}, 2 - unit, 1).value(),
+  EXPECT_DOUBLE_EQ(middleInvariantRoot({3, 4, 6}, 2 - unit, 1).value(),
                    std::sqrt(12 * unit - 3 * unit * unit));
 }
 

@@ -77,8 +77,8 @@ TEST(Spin, AgreesWithFiftyDigits) {
                 near);
     EXPECT_NEAR(2 * spin.energy / known.twiceEnergy, 1, near);
     EXPECT_NEAR(spin.angularMomentum.norm() / known.momentum, 1, near);
-    const double median = spin.moments[1];
-    EXPECT_NEAR(*spin.margin / (known.invariant / (known.twiceEnergy * median)), 1, near);
+    const double middle = spin.moments[1];
+    EXPECT_NEAR(*spin.margin / (known.invariant / (known.twiceEnergy * middle)), 1, near);
   }
 }
 
@@ -159,13 +159,13 @@ INSTANTIATE_TEST_SUITE_P(
                       "angular_velocity = [3, 0.5, 4]\n[body]\nsize = [0.2, 0.2, 0.05]",
                       "angular_velocity = [3, 0.5, 4]\n[body]\nsize = [0.3, 0.1, 0.1]"));
 
-TEST(Spin, GrowsAboutTheMedianAxisAndCirclesTheOthers) {
+TEST(Spin, GrowsAboutTheMiddleAxisAndCirclesTheOthers) {
   const Eigen::Vector3d inertia(3, 2, 4);
-  const Spin median = spinOf(motionOf(inertia, {5, 0, 0.01}));
-  EXPECT_EQ(median.spunAxis, 1U);
-  EXPECT_NEAR(*median.growth, std::sqrt(25.0001 / 8), 1e-15);
-  EXPECT_FALSE(median.oscillation);
-  EXPECT_NEAR(median.offAxis, 0.002, 1e-8);
+  const Spin middle = spinOf(motionOf(inertia, {5, 0, 0.01}));
+  EXPECT_EQ(middle.spunAxis, 1U);
+  EXPECT_NEAR(*middle.growth, std::sqrt(25.0001 / 8), 1e-15);
+  EXPECT_FALSE(middle.oscillation);
+  EXPECT_NEAR(middle.offAxis, 0.002, 1e-8);
 
   const Spin largest = spinOf(motionOf(inertia, {0, 0.001, 5}));
   EXPECT_EQ(largest.spunAxis, 2U);

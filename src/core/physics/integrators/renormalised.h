@@ -14,7 +14,7 @@ namespace rotatebook::physics {
 
 /// The explicit rule's M + h M x w, scaled back to the size of M; then the body turns by h w with
 /// the new w. Order 1; keeps the size of L and the rotation to rounding, not the direction of L. A
-/// flipping body's energy creeps toward that of the spin about the median axis, and its flips
+/// flipping body's energy creeps toward that of the spin about the middle axis, and its flips
 /// become ever rarer. One exponential and one square root per step.
 ///
 /// Emulates the documented rule, in double precision and without damping, of: Jolt with

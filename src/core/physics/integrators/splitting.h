@@ -34,11 +34,11 @@ class Splitting {
   /// Takes a step of another length, which may be negative. [s]
   template <typename Attitude>
   void step(RigidState<Attitude>& state, double h) const {
-    const auto [smallest, median, largest] = axes_;
+    const auto [smallest, middle, largest] = axes_;
     turn(state, smallest, h / 2);
-    turn(state, median, h / 2);
+    turn(state, middle, h / 2);
     turn(state, largest, h);
-    turn(state, median, h / 2);
+    turn(state, middle, h / 2);
     turn(state, smallest, h / 2);
   }
 

@@ -10,10 +10,10 @@
 namespace rotatebook::physics {
 namespace {
 
-// eps / sin(eps), where eps is the angle between `w` and the line of axis `median`.
-double angleBySine(const Eigen::Vector3d& w, int median) {
-  const double along = std::fabs(w[median]);
-  const double across = roundedHypotenuse(w[(median + 1) % 3], w[(median + 2) % 3]);
+// eps / sin(eps), where eps is the angle between `w` and the line of axis `middle`.
+double angleBySine(const Eigen::Vector3d& w, int middle) {
+  const double along = std::fabs(w[middle]);
+  const double across = roundedHypotenuse(w[(middle + 1) % 3], w[(middle + 2) % 3]);
   return across == 0 ? 1 : arcTangent(across, along) * w.norm() / across;
 }
 
@@ -21,7 +21,7 @@ double angleBySine(const Eigen::Vector3d& w, int median) {
 
 std::vector<double> flipTimes(const Trajectory& trajectory, const rigid::PrincipalAxes& inertia) {
   requireSameLayout();
-  const Eigen::Vector3d axis = medianAxis(inertia);
+  const Eigen::Vector3d axis = middleAxis(inertia);
   const auto rateOf = [&axis](const Sample& sample) {
     return spinAbout(axis, sample.attitude, sample.angularVelocity);
   };
@@ -71,12 +71,12 @@ double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
   const double spin = w.norm();
   const double growth = spin * tiltGrowth(inertia);
   const double distance =
-      std::fabs(rigid::medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
+      std::fabs(rigid::middleInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
   const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));
   return 2 / growth * logarithm(4 / (modulus * angleBySine(w, axes[1])));
 }
 
-Eigen::Vector3d medianAxis(const rigid::PrincipalAxes& inertia) {
+Eigen::Vector3d middleAxis(const rigid::PrincipalAxes& inertia) {
   return inertia.bodyFromPrincipal.col(rigid::axesByInertia(inertia.moments)[1]);
 }
 

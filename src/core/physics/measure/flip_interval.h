@@ -1,4 +1,4 @@
-// The time between the flips of a body that spins about its median axis.
+// The time between the flips of a body that spins about its middle axis.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace rotatebook::physics {
 
-/// Returns the times at which the angular velocity about the body's median axis changes sign,
+/// Returns the times at which the angular velocity about the body's middle axis changes sign,
 /// ascending. [s] Interpolates linearly between samples: its second derivative is 0 where it is 0,
 /// so the error is below 1e-3 of the sample interval as long as that is under a tenth of the time
 /// in which a deviation grows e-fold.
@@ -29,23 +29,23 @@ std::optional<double> flipBetween(double time, double interval, double before, d
 /// Returns the mean time from one of the ascending `times` to the next; NaN of fewer than two. [s]
 double meanInterval(std::span<const double> times);
 
-/// Returns the rate at which a small tilt of the spin from the median axis grows, over the spin:
+/// Returns the rate at which a small tilt of the spin from the middle axis grows, over the spin:
 /// sqrt((I2-I1)(I3-I2)/(I1 I3)), 0 if two moments are equal.
 double tiltGrowth(const rigid::PrincipalAxes& inertia);
 
-/// Returns the limit of the flip interval for a free rigid body that starts close to the median
+/// Returns the limit of the flip interval for a free rigid body that starts close to the middle
 /// axis with this angular velocity in body axes [rad/s]:
 ///     (2/lambda) ln(4/sqrt(m1)),  lambda = W sqrt((I2-I1)(I3-I2)/(I1 I3)),
 ///     m1 = (eps/sin eps)^2 (I3-I1) |I3 (I3-I2) w3^2 - I1 (I2-I1) w1^2| / (I2 (I2-I1) (I3-I2) W^2),
-/// where W is the length of the angular velocity, eps its angle to the median axis, and
+/// where W is the length of the angular velocity, eps its angle to the middle axis, and
 /// I1 <= I2 <= I3. Toward axis 3, m1 = kappa3 eps^2 with kappa3 = I3 (I3-I1)/(I2 (I2-I1)); toward
 /// axis 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
-/// limit is infinite on the separatrix, which lies between the two directions, on the median axis
+/// limit is infinite on the separatrix, which lies between the two directions, on the middle axis
 /// itself, and if two moments are equal.
 double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
                               const Eigen::Vector3d& angularVelocity);
 
-/// Returns the median axis, a unit vector in body axes.
-Eigen::Vector3d medianAxis(const rigid::PrincipalAxes& inertia);
+/// Returns the middle axis, a unit vector in body axes.
+Eigen::Vector3d middleAxis(const rigid::PrincipalAxes& inertia);
 
 }  // namespace rotatebook::physics

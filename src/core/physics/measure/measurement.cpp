@@ -106,7 +106,7 @@ Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotatio
 }
 
 // The regime of the exact motion is constant between nudges, which the rounding of one sample could
-// change if the spin is less than 1e-8 off the median axis.
+// change if the spin is less than 1e-8 off the middle axis.
 rigid::Regime Measurement::regime(const Eigen::Matrix3d& rotation,
                                   const Eigen::Vector3d& angularVelocity,
                                   rigid::Regime exact) const {

@@ -1,5 +1,6 @@
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "base/number_text.h"
 #include "base/text.h"
@@ -9,48 +10,19 @@
 namespace rotatebook::timeline {
 namespace {
 
-std::string kindOf(const Verdict& verdict) {
-  switch (verdict.errs) {
+/// Returns the kind of a motion whose verdict has no numbers; empty of others.
+std::string_view plainKindOf(Errs errs) {
+  switch (errs) {
     case Errs::Hardly:
       return "agrees with the exact motion";
     case Errs::HardlyAsFitted:
       return "agrees with the exact motion, from a start within the uncertainty of its spins";
-    case Errs::SpinsAreOthers:
-      return "has angular velocities that aren't the slopes of its attitudes, which differ from "
-             "the exact motion's by up to " +
-             roundedText(verdict.errorDeg, 2) + " degrees";
     case Errs::SpinIsFixed:
       return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
-    case Errs::RatesAreOff:
-      return "agrees with the exact motion by its attitudes alone; its angular velocities " +
-             ratesText(verdict.spins);
-    case Errs::InPhase:
-      return "keeps energy and angular momentum, but not the pace, as with long steps" +
-             (verdict.spins.fit.isOff()
-                  ? ", or with rates of another scale: they " + ratesText(verdict.spins)
-                  : std::string());
-    case Errs::TurnsSlightly:
-      return "keeps energy and the size of the angular momentum, which turns by up to " +
-             roundedText(verdict.momentumTurnDeg, 3) +
-             " degrees: attitudes that drift or jump, or rates along axes that are turned" +
-             (verdict.spins.source == recording::SpinSource::Given
-                  ? "; the rates " + ratesText(verdict.spins)
-                  : std::string());
-    case Errs::TooFewRows:
-      return std::to_string(verdict.samples) + (verdict.samples == 1 ? " row is" : " rows are") +
-             " too few to tell; record at least " + std::to_string(kLeastRows);
     case Errs::TooFewAttitudes:
       return "its attitudes are too far apart, or their times too uncertain, for their slopes to "
              "be "
              "its angular velocities; record more of them, or the angular velocities, too";
-    case Errs::TooFewReadings:
-      return "energy and the size of the angular momentum are the exact motion's, but its readings "
-             "are so far apart that its attitude may be off by " +
-             roundedText(verdict.spins.unknownTurn * 180 / std::numbers::pi, 2) +
-             " degrees; record more of them, or state a part without gaps";
-    case Errs::TurnsMomentum:
-      return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
-             " degrees: another convention, another inertia, or an outer torque";
     case Errs::Swings:
       return "swings in energy or angular momentum, which come back: another inertia than that of "
              "the body that moved, or angular velocities with a bias, or of other moments than the "
@@ -71,10 +43,47 @@ std::string kindOf(const Verdict& verdict) {
       return "loses energy and angular momentum, as with an implicit gyroscopic torque, or damping";
     case Errs::Inconsistently:
       return "loses energy while the angular momentum grows, as with a gyroscopic torque of order "
-             "1 "
-             "that doesn't fit the attitude's step";
+             "1 that doesn't fit the attitude's step";
+    default:
+      return "";
   }
-  return "";
+}
+
+std::string kindOf(const Verdict& verdict) {
+  switch (verdict.errs) {
+    case Errs::SpinsAreOthers:
+      return "has angular velocities that aren't the slopes of its attitudes, which differ from "
+             "the exact motion's by up to " +
+             roundedText(verdict.errorDeg, 2) + " degrees";
+    case Errs::RatesAreOff:
+      return "agrees with the exact motion by its attitudes alone; its angular velocities " +
+             ratesText(verdict.spins);
+    case Errs::InPhase:
+      return "keeps energy and angular momentum, but not the pace, as with long steps" +
+             (verdict.spins.fit.isOff()
+                  ? ", or with rates of another scale: they " + ratesText(verdict.spins)
+                  : std::string());
+    case Errs::TurnsSlightly:
+      return "keeps energy and the size of the angular momentum, which turns by up to " +
+             roundedText(verdict.momentumTurnDeg, 3) +
+             " degrees: attitudes that drift or jump, or rates along axes that are turned" +
+             (verdict.spins.source == recording::SpinSource::Given
+                  ? "; the rates " + ratesText(verdict.spins)
+                  : std::string());
+    case Errs::TooFewRows:
+      return std::to_string(verdict.samples) + (verdict.samples == 1 ? " row is" : " rows are") +
+             " too few to tell; record at least " + std::to_string(kLeastRows);
+    case Errs::TooFewReadings:
+      return "energy and the size of the angular momentum are the exact motion's, but its readings "
+             "are so far apart that its attitude may be off by " +
+             roundedText(verdict.spins.unknownTurn * 180 / std::numbers::pi, 2) +
+             " degrees; record more of them, or state a part without gaps";
+    case Errs::TurnsMomentum:
+      return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
+             " degrees: another convention, another inertia, or an outer torque";
+    default:
+      return std::string(plainKindOf(verdict.errs));
+  }
 }
 
 }  // namespace

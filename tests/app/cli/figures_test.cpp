@@ -73,6 +73,7 @@ const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
     {"bodies/knot", {"panel.1.initial.angular_velocity={about=\"largest\", value=5}"}},
+    {"bodies/mallet", {"initial.angular_velocity={about=\"largest\", value=9}"}},
     {"bodies/particles-beside-rigid",
      {"panel.2.initial.angular_velocity={about=\"largest\", value=12}"}},
     {"bodies/phone",

@@ -126,6 +126,36 @@ Keys<SimulationSettings> joinedKeys(Keys<SimulationSettings> keys,
   return keys;
 }
 
+/// Returns the keys of the steps' length.
+Keys<SimulationSettings> stepKeys() {
+  return {
+      {"time_per_frame",
+       readTimePerFrame,
+       timePerFrameText,
+       {.comment = "s simulated for each frame of video",
+        .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
+        .byDefault = "as `clip.speed` says",
+        .allowed = std::string(kStepTimes.expected)},
+       formOf(ValueForm::Type::Number, kStepTimes)},
+      {"substeps",
+       [](const ValueReader& value, SimulationSettings& settings) {
+         settings.substeps = value.integer(1, kMaxSubsteps);
+         settings.step.reset();
+       },
+       substepsText,
+       {.comment = "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
+        .meaning = "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
+        .allowed = document::expectedInteger(1, kMaxSubsteps),
+        .models = kOfStepwise},
+       integerForm(1, kMaxSubsteps)},
+      key("step", &SimulationSettings::step, number(kSteps),
+          {.comment = "s, length of an integration step",
+           .meaning = "length of an integration step, in place of `substeps`",
+           .byDefault = "as `substeps` says",
+           .models = kOfStepwise}),
+  };
+}
+
 }  // namespace
 
 const Keys<SimulationSettings>& simulationKeys() {
@@ -165,34 +195,8 @@ const Keys<SimulationSettings>& simulationKeys() {
               {.comment = "particles: where they are",
                .meaning = "where they are, see [bodies](bodies.md#particles)",
                .models = kOfParticles}),
-          {"time_per_frame",
-           readTimePerFrame,
-           timePerFrameText,
-           {.comment = "s simulated for each frame of video",
-            .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
-            .byDefault = "as `clip.speed` says",
-            .allowed = std::string(kStepTimes.expected)},
-           formOf(ValueForm::Type::Number, kStepTimes)},
-          {"substeps",
-           [](const ValueReader& value, SimulationSettings& settings) {
-             settings.substeps = value.integer(1, kMaxSubsteps);
-             settings.step.reset();
-           },
-           substepsText,
-           {.comment =
-                "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
-            .meaning =
-                "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
-            .allowed = document::expectedInteger(1, kMaxSubsteps),
-            .models = kOfStepwise},
-           integerForm(1, kMaxSubsteps)},
-          key("step", &SimulationSettings::step, number(kSteps),
-              {.comment = "s, length of an integration step",
-               .meaning = "length of an integration step, in place of `substeps`",
-               .byDefault = "as `substeps` says",
-               .models = kOfStepwise}),
       },
-      recordedKeys());
+      joinedKeys(stepKeys(), recordedKeys()));
   return keys;
 }
 

@@ -17,7 +17,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   fuzzing::require(!video::mp4Difference(file, {}, {}).empty());
   fuzzing::require(!video::webmDifference(file, {}, {}).empty());
   video::h264Difference(std::span(bytes, size), {}, {});
-  video::h264Picture(std::span(bytes, size), true);
+  video::h264Picture(std::span(bytes, size), true, {});
   video::PictureOrder(std::span(bytes, size)).isPlain(std::span(bytes, size), 1);
   video::vp9Picture(std::span(bytes, size), {});
   fuzzing::mayRefuse([&] { video::requireWholeFile(file, "clip"); });

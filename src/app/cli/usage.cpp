@@ -91,6 +91,19 @@ bool isFile(std::string_view argument) {
   return ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1]));
 }
 
+/// Returns what is wrong with an option's value, where CLI11 says "Could not convert: --time =
+/// noon".
+std::string valueProblem(const CLI::App& command, const std::string& error) {
+  constexpr std::string_view kBegin = "Could not convert: ", kIs = " = ";
+  const std::size_t middle = error.find(kIs);
+  if (!error.starts_with(kBegin) || middle == error.npos) return echoed(error);
+  const std::string name = error.substr(kBegin.size(), middle - kBegin.size());
+  const std::string value = error.substr(middle + kIs.size());
+  const bool areSeveral = value.find(',') != value.npos && command.get_option_no_throw(name + "s");
+  return name + " must be a number, and is " + quotedText(echoed(value)) +
+         (areSeveral ? "; " + name + "s takes several" : "");
+}
+
 /// Returns what is wrong with the command line.
 std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
   const CLI::App& command = chosen(program);
@@ -107,7 +120,8 @@ std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
   if (!isChosen && unknown.empty())
     return "a command is needed, for example: rotatebook render scenes/starter.toml";
   if (!isChosen) return unknownCommandText(program, unknown.front());
-  return unknown.empty() ? echoed(error.what()) : "unexpected argument: " + echoed(unknown.front());
+  return unknown.empty() ? valueProblem(command, error.what())
+                         : "unexpected argument: " + echoed(unknown.front());
 }
 
 /// Returns the remedy where a file was taken for an option; else nothing.

@@ -22,7 +22,6 @@ namespace fs = std::filesystem;
 
 constexpr float kPictureQuality = 82;
 /// x264's preset: slower ones gain 7 % in three times the time.
-constexpr const char* kPreset = "slow";
 constexpr double kKeyFrameInterval = 5;  // Saves 6 % of what 2 s take. [s]
 constexpr int kThreads = 4;              // The bytes depend on it, so it isn't the machine's.
 
@@ -43,7 +42,7 @@ void recodeInto(system::AtomicFile& file, const Figure& figure, const fs::path& 
   settings.height = size.height;
   settings.frameRate = figure.frameRate;
   settings.crf = crf;
-  settings.preset = kPreset;
+  settings.preset = video::kWebPreset;
   settings.threads = kThreads;
   settings.keyFrameInterval = kKeyFrameInterval;
   settings.title = metadata.title;

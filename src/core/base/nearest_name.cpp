@@ -70,6 +70,7 @@ constexpr std::array kOtherWords{
     OtherWord{"spin", "info"},
     OtherWord{"body", "info"},
     OtherWord{"init", "new"},
+    OtherWord{"sheet", "still"},
     OtherWord{"validate", "check"},
     OtherWord{"at", "time"},
     OtherWord{"force", "overwrite"},

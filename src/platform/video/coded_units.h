@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "video/clip_form.h"
@@ -24,12 +25,13 @@ struct CodedPicture {
 std::string h264Difference(Bytes parameters, const WrittenForm& form, const Payload& payload);
 
 /// Examines a picture as libx264 codes it in an MP4: one slice, and before the `first` picture's
-/// libx264's note of its version and settings, those of noteSettings() among them.
+/// libx264's note of its version and settings, noteSettings() among them or kWebPreset's.
 CodedPicture h264Picture(Bytes packet, bool first, const WrittenForm& form);
 
-/// Returns settings that libx264's note has of a clip, "crf=19.5": those that the program states,
-/// and by which the presets differ that it names.
-std::vector<std::string> noteSettings(const WrittenForm& form);
+/// Returns what libx264's note says of a preset, by which presets differ: "subme=8", for example.
+std::vector<std::string> presetSettings(std::string_view preset);
+/// Returns that, and the rate factor, "crf=19.5".
+std::vector<std::string> noteSettings(int crf, std::string_view preset);
 
 /// Follows the numbers by which decoders of H.264 order pictures (8.2.1): those of one whose
 /// numbers say otherwise than its time may show another order, or leave pictures out.

@@ -13,6 +13,7 @@
 
 #include "video/bit_reader.h"
 #include "video/coded_units.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::video {
 namespace {
@@ -196,9 +197,18 @@ bool isOfKnownVersion(std::string_view note) {
   return version >= kOldest;
 }
 
-/// Returns whether `text`, "cabac=1 ref=3 ...", states settings of libx264, each once and `needed`
-/// among them: no word is free but numbers.
-bool areSettings(const std::string& text, const std::vector<std::string>& needed) {
+/// Returns whether settings of libx264 are of the form, or of kWebPreset.
+bool areOfForm(const std::set<std::string>& settings, const WrittenForm& form) {
+  const auto haveAll = [&](const std::vector<std::string>& needed) {
+    return std::ranges::all_of(needed, [&](const auto& one) { return settings.contains(one); });
+  };
+  return form.preset.empty() || haveAll(noteSettings(form.crf, form.preset)) ||
+         haveAll(presetSettings(kWebPreset));
+}
+
+/// Returns whether `text`, "cabac=1 ref=3 ...", states settings of libx264, each once: no word is
+/// free but numbers, and these are the form's.
+bool areSettings(const std::string& text, const WrittenForm& form) {
   static const std::regex kSetting(
       "(8x8dct|analyse|aq|b_adapt|b_bias|b_pyramid|bframes|bluray_compat|cabac|chroma_me|"
       "chroma_qp_offset|constrained_intra|cqm|crf|deadzone|deblock|decimate|direct|fast_pskip|"
@@ -215,9 +225,7 @@ bool areSettings(const std::string& text, const std::vector<std::string>& needed
     if (!std::regex_match(word, parts, kSetting) || !names.insert(parts[1]).second) return false;
     settings.insert(word);
   }
-  const bool areAll =
-      std::ranges::all_of(needed, [&](const auto& one) { return settings.contains(one); });
-  return areAll && length == text.size() + 1;  // One space between two.
+  return length == text.size() + 1 && areOfForm(settings, form);  // One space between two.
 }
 
 /// Returns whether `note` has the words of libx264, of whatever build, and no others, and the
@@ -233,7 +241,7 @@ bool isPlainNote(std::string_view note, const WrittenForm& form) {
   note.remove_suffix(1);
   const std::size_t end = note.find(kOptions);
   return end != note.npos && std::regex_match(std::string(note.substr(0, end)), kVersion) &&
-         areSettings(std::string(note.substr(end + kOptions.size())), noteSettings(form));
+         areSettings(std::string(note.substr(end + kOptions.size())), form);
 }
 
 /// Returns whether a unit is a single message: libx264's version and settings.

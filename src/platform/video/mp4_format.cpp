@@ -93,17 +93,21 @@ void setX264Options(const VideoSettings& settings, Dictionary& options) {
 
 }  // namespace
 
-std::vector<std::string> noteSettings(const WrittenForm& form) {
-  if (form.preset.empty()) return {};
+std::vector<std::string> noteSettings(int crf, std::string_view preset) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "crf=%.1f", rateFactorOf(crf, preset));
+  std::vector<std::string> settings = presetSettings(preset);
+  settings.emplace_back(text.data());
+  return settings;
+}
+
+std::vector<std::string> presetSettings(std::string_view preset) {
   // Of kVideoPresets, with what kBookParams says of the first.
   constexpr std::array<int, kVideoPresets.size()> kSubme{0, 0, 1, 2, 4, 6, 7, 8, 9, 10, 11};
-  const auto place = std::ranges::find(kVideoPresets, form.preset) - kVideoPresets.begin();
-  std::array<char, 16> crf{};
-  std::snprintf(crf.data(), crf.size(), "crf=%.1f", rateFactorOf(form.crf, form.preset));
+  const auto place = std::ranges::find(kVideoPresets, preset) - kVideoPresets.begin();
   std::vector<std::string> settings{
-      "rc=crf", crf.data(), "8x8dct=1",
-      "subme=" + std::to_string(kSubme.at(static_cast<std::size_t>(place)))};
-  if (form.preset != kBookPreset) return settings;
+      "rc=crf", "8x8dct=1", "subme=" + std::to_string(kSubme.at(static_cast<std::size_t>(place)))};
+  if (preset != kBookPreset) return settings;
   for (const char* own : {"weightp=0", "scenecut=0", "aq=1:0.50", "cabac=0"})
     settings.emplace_back(own);
   return settings;

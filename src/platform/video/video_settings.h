@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "base/clip_limits.h"
 #include "base/frame_rate.h"
@@ -10,6 +11,10 @@ namespace rotatebook::video {
 
 /// Smallest width and height of a video: one macroblock. [pixels]
 inline constexpr int kSmallestSide = 16;
+
+/// Preset of clips that are coded anew for the web, at a rate factor that their record doesn't
+/// have.
+inline constexpr std::string_view kWebPreset = "slow";
 
 /// Everything that the bytes of a video depend on beside its format and pictures.
 struct VideoSettings {

@@ -63,6 +63,15 @@ TEST_F(PackCommand, ReplacesItsOwnPackAndKeepsOtherFiles) {
   EXPECT_TRUE(read("site.zip") == archive) << "the same bytes again";
 }
 
+// Though their rate factor is none that a record has.
+TEST_F(PackCommand, MakesClipsThatAreProved) {
+  const ChildResult packed =
+      run({"page", "s.toml", "--no-thumbnails", "--pack", "site", "--pack-crf", "18"});
+  EXPECT_EQ(packed.status, 0) << packed.error;
+  const ChildResult result = run({"verify", "site/s.mp4"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+}
+
 TEST_F(PackCommand, ReplacesNoOtherFolderOfResults) {
   fs::copy(folder() / "out", folder() / "best", fs::copy_options::recursive);
   ASSERT_EQ(run({"page", "s.toml", "--no-thumbnails", "-o", "best"}).status, 0);

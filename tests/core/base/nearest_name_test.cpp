@@ -70,6 +70,8 @@ TEST(NearestName, KnowsOtherWordsOfTheSameMeaning) {
 TEST(DidYouMean, EndsAMessageOrAddsNothing) {
   EXPECT_EQ(didYouMean("substep", kNames), "; did you mean \"substeps\"?");
   EXPECT_EQ(didYouMean("colour", kNames), "");
+  const std::vector<std::string_view> commands{"still", "check", "new"};
+  EXPECT_EQ(didYouMean("sheet", commands), "; did you mean \"still\"?");
 }
 
 TEST(QuotedList, JoinsWithCommasAndAWord) {

@@ -4,6 +4,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 PROGRAM := $(BUILD)/rotatebook
 OUT ?= out
+SCENE ?= scenes/starter.toml
 FUZZ_TARGETS = $(patsubst tests/fuzz/%_target.cpp,%,$(sort $(wildcard tests/fuzz/*_target.cpp)))
 
 # Only builds with sanitizers read them.
@@ -11,7 +12,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
+.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -20,7 +21,7 @@ help:
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
-	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
+	@echo 'make render SCENE=FILE   render one scene, by default $(SCENE), into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make play                make $(OUT)/play.html, the live book, in one file'
 	@echo 'make test-play           run its tests: of the core in Node, of the page in browsers'
 	@echo 'make program             build $(PROGRAM)'
@@ -128,12 +129,8 @@ fuzz: setup-test
 	@for run in build/fuzz/tests/fuzz/run-$(or $(TARGET),*); do \
 	  $$run $(if $(RUNS),-runs=$(RUNS),-max_total_time=$(or $(SECONDS),60)) || exit 1; done
 
-render: scene-given program
+render: program
 	$(PROGRAM) render $(SCENE) -o $(OUT) $(ARGS)
-
-scene-given:
-	@test -n "$(SCENE)" || { echo 'make render: name a scene,' \
-	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
 # ARGS="--repetitions 5", "--no-plots" and so on: bench/speed.py --help
 bench: program setup-test

@@ -96,6 +96,7 @@ figures: program
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
+	$(PROGRAM) still scenes/stills/bound-in-maps.toml --time 0 -o $(OUT)/bound-in-maps.png
 	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/bodies/*.toml \
 	  scenes/studies/*.toml scenes/maps/*.toml -o $(OUT) $(LIVE:%=--live %)
 

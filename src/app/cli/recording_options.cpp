@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 #include "recording/columns.h"
 
@@ -55,11 +56,9 @@ recording::ReadOptions RecordingOptions::read() const {
 }
 
 std::string notNegative(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  const bool isSound = error == std::errc() && rest == end && std::isfinite(number) && number >= 0;
-  return isSound ? "" : oneLine(text, 40) + " must be a number, 0 or more";
+  const auto number = parsedNumber<double>(text);
+  return number >= 0 && std::isfinite(*number) ? ""
+                                               : oneLine(text, 40) + " must be a number, 0 or more";
 }
 
 Eigen::Vector3d threeNumbers(const std::string& text, const char* option) {

@@ -1,11 +1,11 @@
 #include "farm/plan_file.h"
 
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
@@ -116,10 +116,8 @@ std::string nameOfTask(std::int64_t task) {
 
 std::optional<std::int64_t> taskNamed(const std::string& name) {
   if (name == nameOfTask(0)) return 0;
-  std::int64_t task = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), task);
-  if (error != std::errc() || task < 1 || name != nameOfTask(task)) return std::nullopt;
-  return task;
+  const auto task = parsedNumber<std::int64_t>(name);
+  return task >= 1 && name == nameOfTask(*task) ? task : std::nullopt;
 }
 
 fs::path PlanFiles::logOf(std::int64_t task) const {

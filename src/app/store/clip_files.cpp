@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstdio>
 #include <optional>
 #include <regex>
@@ -10,6 +9,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/parsed_number.h"
 #include "timeline/clip_tables.h"
 
 namespace rotatebook::store {
@@ -80,12 +80,10 @@ std::string frameName(std::int64_t index) {
 
 std::optional<std::int64_t> frameIndex(const std::string& name) {
   if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return {};
-  const char* begin = name.data() + kPrefix.size();
-  const char* end = name.data() + name.size() - kSuffix.size();
-  std::int64_t index = 0;
-  const auto [rest, error] = std::from_chars(begin, end, index);
-  if (error != std::errc() || rest != end || index < 0 || name != frameName(index)) return {};
-  return index;
+  const std::size_t length = name.size() - std::min(name.size(), kPrefix.size() + kSuffix.size());
+  const auto index =
+      parsedNumber<std::int64_t>(std::string_view(name).substr(kPrefix.size(), length));
+  return index >= 0 && name == frameName(*index) ? index : std::nullopt;
 }
 
 std::vector<std::int64_t> framesIn(const fs::path& folder) {

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/elementary.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 
 namespace rotatebook {
@@ -52,13 +53,6 @@ constexpr std::array<std::string_view, 26> kOtherUnits{
     "h",    "hr",  "d",      "day",    "rad/min", "deg/min", "rad/h", "mrad/s",
 };
 
-std::optional<double> wholeNumber(std::string_view text) {
-  double number = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
-  return number;
-}
-
 /// Returns the digits of `number` times `multiplier`.
 std::string multiplied(std::string number, int multiplier) {
   int carry = 0;
@@ -84,12 +78,13 @@ std::optional<double> scaledDecimal(std::string_view number, int multiplier, int
     exponent -= static_cast<int>(digits.size() - point);
   }
   if (end < number.size()) {
-    const auto own = wholeNumber(number.substr(end + (number[end + 1] == '+' ? 2 : 1)));
+    const auto own = parsedNumber<double>(number.substr(end + (number[end + 1] == '+' ? 2 : 1)));
     constexpr double kLargestExponent = 1e6;
     if (!own || std::fabs(*own) > kLargestExponent) return std::nullopt;
     exponent += static_cast<int>(*own);
   }
-  return wholeNumber(sign + multiplied(digits, multiplier) + "e" + std::to_string(exponent));
+  return parsedNumber<double>(sign + multiplied(digits, multiplier) + "e" +
+                              std::to_string(exponent));
 }
 
 /// A text that begins with a number.

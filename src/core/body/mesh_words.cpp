@@ -1,9 +1,9 @@
 #include "body/mesh_words.h"
 
 #include <algorithm>
-#include <charconv>
 
 #include "base/error.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 
 namespace rotatebook::body {
@@ -14,10 +14,7 @@ constexpr std::string_view kBlanks = " \t\v\f", kLineEnds = "\r\n", kNoWord = " 
 template <typename Number>
 std::optional<Number> parsed(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
-  Number number{};
-  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool isWhole = error == std::errc() && rest == word.data() + word.size();
-  return isWhole ? std::optional(number) : std::nullopt;
+  return parsedNumber<Number>(word);
 }
 
 }  // namespace

@@ -1,15 +1,14 @@
 #include "document/overrides.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstddef>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/error.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 #include "document/problems.h"
 #include "document/toml_text.h"
@@ -35,11 +34,8 @@ Path pathFrom(std::string_view key, const std::string& location) {
 // Returns the element of `array` whose number from 0 is `key`.
 TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_view name,
                     const std::string& location) {
-  std::size_t index = 0;
-  const auto [rest, error] = std::from_chars(key.data(), key.data() + key.size(), index);
-  if (error == std::errc() && rest == key.data() + key.size() && index < array.size()) {
-    return array[index];
-  }
+  const auto index = parsedNumber<std::size_t>(key);
+  if (index && *index < array.size()) return array[*index];
   failAt(location, std::string(name) + " has " + std::to_string(array.size()) +
                        (array.size() == 1 ? " element" : " elements") +
                        ", numbered from 0, and no " + tomlString(key));

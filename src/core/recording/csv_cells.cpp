@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/parsed_number.h"
 #include "base/text.h"
 
 namespace rotatebook::recording {
@@ -67,11 +68,8 @@ std::optional<double> numberIn(std::string_view cell, char separator) {
   if (separator != ',') {
     if (const std::size_t comma = text.find(','); comma != text.npos) text[comma] = '.';
   }
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  const bool isFinite = error == std::errc() && rest == end && std::isfinite(value);
-  return isFinite ? std::optional(value) : std::nullopt;
+  const auto value = parsedNumber<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<Decimal> decimalIn(std::string_view cell, char separator) {

@@ -1,7 +1,6 @@
 #include "scene/motion_numbers.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -9,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/parsed_number.h"
 #include "document/toml_tree.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
@@ -83,10 +83,8 @@ ReadMotionKey readerIn(const Keys<S>& keys, Part part, const MotionSettings& bas
 
 /// Returns the number of the nudge that "nudge.0.at" is of.
 std::size_t nudgeOf(const Path& path, const MotionSettings& base, const Place& place) {
-  std::size_t index = 0;
-  const char* end = path.name.data() + path.name.size();
-  const auto [rest, error] = std::from_chars(path.name.data(), end, index);
-  if (error == std::errc() && rest == end && index < base.nudges.size()) return index;
+  const auto index = parsedNumber<std::size_t>(path.name);
+  if (index && *index < base.nudges.size()) return *index;
   document::failAt(place.location, place.key + " must name one of the scene's " +
                                        std::to_string(base.nudges.size()) +
                                        " nudges by its number, from 0");

@@ -1,12 +1,12 @@
 #include "system/control_groups.h"
 
 #include <algorithm>
-#include <charconv>
 #include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/parsed_number.h"
 #include "system/read_file.h"
 
 namespace rotatebook::system {
@@ -87,11 +87,8 @@ std::vector<fs::path> foldersOf(const fs::path& root, const Hierarchy& hierarchy
 std::optional<double> numberIn(const fs::path& file, std::size_t index = 0) {
   const std::vector<std::string> words = wordsOf(readFileOrEmpty(file));
   if (words.size() <= index) return std::nullopt;
-  const std::string& word = words[index];
-  long long number = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-  const bool whole = error == std::errc() && end == word.data() + word.size();
-  return whole && number > 0 ? std::optional<double>(static_cast<double>(number)) : std::nullopt;
+  const auto number = parsedNumber<long long>(words[index]);
+  return number > 0 ? std::optional<double>(static_cast<double>(*number)) : std::nullopt;
 }
 
 void lower(std::optional<double>& limit, const std::optional<double>& other) {

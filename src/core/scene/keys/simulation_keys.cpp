@@ -1,13 +1,12 @@
 // The keys of [simulation]: the model, and the steps by which it is simulated.
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <variant>
 
 #include "base/nearest_name.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
@@ -91,12 +90,9 @@ constexpr std::string_view kGrid = "grid:";
 
 int cellsFrom(const ValueReader& value, std::string_view text) {
   constexpr int kMinCells = 2, kMaxCells = 200;
-  int cells = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cells);
-  if (error != std::errc() || end != text.data() + text.size() || cells < kMinCells ||
-      cells > kMaxCells)
-    value.mismatch(kExpectedArrangement);
-  return cells;
+  const auto cells = parsedNumber<int>(text);
+  if (!cells || *cells < kMinCells || *cells > kMaxCells) value.mismatch(kExpectedArrangement);
+  return *cells;
 }
 
 physics::ParticleSettings arrangementFrom(const ValueReader& value) {

@@ -185,6 +185,17 @@ double wideningFor(double residual, const Rest& rest, std::size_t readings) {
   return std::sqrt(std::max(1.0, (1 + (ratio - 1) * count / kQuarters) / ratio));
 }
 
+/// Returns whether the readings can be followed from one to the next, and a body's tensor is found:
+/// else a fit may take seconds.
+bool isFollowed(Readings flight, const Parameters& start) {
+  constexpr double kLargestTurn = 1;  // [rad]
+  for (std::size_t i = 1; i < flight.size(); ++i) {
+    const double step = flight[i].rate.time - flight[i - 1].rate.time;
+    if (flight[i].rate.angularVelocity.norm() * step > kLargestTurn) return false;
+  }
+  return principalMoments(tensorOf(start))[0] > 0;
+}
+
 double spinOf(Readings flight) {
   double sum = 0;
   for (const InertialReading& one : flight) sum += one.rate.angularVelocity.squaredNorm();
@@ -220,9 +231,10 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
   const Linear linear = solveLinear(flight);
   result.gap = linear.gap;
   requireMomentum(linear, result, name);
-  const FreeSpinFit fit =
-      fitFreeSpin(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity),
-                  biasVariance(rest, (result.from + result.to) / 2 - recording.zero));
+  const Parameters start = parametersOf(linear.tensor, flight.front().rate.angularVelocity);
+  if (!isFollowed(flight, start)) requireGap(result, name);
+  const FreeSpinFit fit = fitFreeSpin(
+      flight, start, biasVariance(rest, (result.from + result.to) / 2 - recording.zero));
   result.residual = fit.residual;
   requireGap(result, name);
   requireFree(result, name);

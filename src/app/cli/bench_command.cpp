@@ -6,16 +6,16 @@
 #include <utility>
 
 #include "base/error.h"
+#include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "diagnose/benchmark.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
-#include "report/bench_report.h"
+#include "pipeline/benchmark.h"
 #include "store/clip_files.h"
 
 // The embedded default scene: Figure 5, as in scenes/figures.
@@ -26,7 +26,7 @@ struct BenchArguments {
   std::string scene;
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
-  std::int64_t frames = diagnose::SpeedOptions{}.frames;
+  std::int64_t frames = pipeline::SpeedOptions{}.frames;
   bool json = false;
 };
 
@@ -46,21 +46,21 @@ int bench(const BenchArguments& arguments) {
   const scene::Scene scene = readScene(arguments);
   refuseTransparent(scene);
   picture::TextureFiles textures = picture::preflight(scene);
-  diagnose::SpeedOptions options{.frames = arguments.frames,
+  pipeline::SpeedOptions options{.frames = arguments.frames,
                                  .device = arguments.deviceOptions.choice(),
                                  .textures = std::move(textures)};
   options.stop = &catchInterrupts();
-  std::optional<diagnose::Speed> speed;
+  std::optional<pipeline::Speed> speed;
   {
     ProgressLine line(scene.name);
     options.progress = [&line](std::int64_t done, std::int64_t total) { line.update(done, total); };
-    speed = diagnose::measureSpeed(scene, options);
+    speed = pipeline::measureSpeed(scene, options);
   }
   if (!speed) {
     std::cout << scene.name << ": interrupted; nothing was measured" << std::endl;
     return interruptStatus();
   }
-  (arguments.json ? report::reportSpeedAsJson : report::reportSpeed)(scene, *speed, std::cout);
+  (arguments.json ? reportSpeedAsJson : reportSpeed)(scene, *speed, std::cout);
   return kDone;
 }
 

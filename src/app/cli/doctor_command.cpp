@@ -5,7 +5,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "diagnose/checkup.h"
-#include "report/doctor_report.h"
+#include "diagnose/doctor_report.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -17,7 +17,7 @@ struct DoctorArguments {
 
 int examine(const DoctorArguments& arguments) {
   const diagnose::Checkup checkup = diagnose::checkUp(arguments.folder);
-  (arguments.json ? report::reportCheckupAsJson : report::reportCheckup)(checkup, std::cout);
+  (arguments.json ? diagnose::reportCheckupAsJson : diagnose::reportCheckup)(checkup, std::cout);
   return checkup.ready() ? kDone : kMachineFailed;
 }
 

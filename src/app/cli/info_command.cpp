@@ -14,13 +14,13 @@
 #include "body/mesh_readers.h"
 #include "body/self_crossing.h"
 #include "body/shells.h"
+#include "cli/body_report.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/spin_report.h"
 #include "physics/motion_start.h"
 #include "picture/named_file.h"
-#include "report/body_report.h"
-#include "report/spin_report.h"
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
 #include "system/read_file.h"
@@ -51,7 +51,7 @@ void requirePositive(const char* option, const std::optional<double>& value) {
                      ": must be above 0, and below 1e60");
 }
 
-report::BodySurface surfaceOf(const body::ClosedMesh& file) {
+BodySurface surfaceOf(const body::ClosedMesh& file) {
   const body::Shells shells = body::shellsOf(file.mesh);
   const auto inFile = [&](auto pair) {
     if (pair) pair = {file.closing.numberOf((*pair)[0]), file.closing.numberOf((*pair)[1])};
@@ -61,7 +61,7 @@ report::BodySurface surfaceOf(const body::ClosedMesh& file) {
           inFile(shells.overlap), file.closing.notes};
 }
 
-report::BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& options) {
+BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& options) {
   if (options.density && options.mass)
     throw InputError("--density and --mass: one follows from the other; name one of them");
   requirePositive("--density", options.density);
@@ -81,7 +81,7 @@ report::BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& optio
   }
 }
 
-report::BodyNumbers bodyOfBook(const scene::Panel& motion) {
+BodyNumbers bodyOfBook(const scene::Panel& motion) {
   const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
   const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
   return {{motion.body.size.prod(),
@@ -91,17 +91,17 @@ report::BodyNumbers bodyOfBook(const scene::Panel& motion) {
 }
 
 /// The scene has the mesh's numbers, but for its centre.
-report::BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid& solid) {
+BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid& solid) {
   const body::ClosedMesh file = body::readMesh(
       solid.mesh.name, picture::readNamedFile(scene.folder, solid.mesh.name, scene::kLongestMesh,
                                               scene.allowOutside));
-  report::BodyNumbers numbers{scene::numbersOf(solid).properties, surfaceOf(file)};
+  BodyNumbers numbers{scene::numbersOf(solid).properties, surfaceOf(file)};
   numbers.properties.centre = body::massPropertiesOf(file.mesh, 1).centre * solid.mesh.unit;
   return numbers;
 }
 
-report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
-  report::BodySurface surface;
+BodyNumbers bodyOfParts(const scene::Solid& solid) {
+  BodySurface surface;
   for (const scene::BodyPart& part : solid.parts) {
     const body::TriangleMesh mesh = scene::placed(part).surface;
     surface.triangles += mesh.triangles.size();
@@ -113,11 +113,11 @@ report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
 /// A motion of a scene, or a mesh alone.
 struct Info {
   std::string label;  ///< Empty but for panels.
-  report::BodyNumbers body;
-  std::optional<report::SpinNumbers> spin{};  ///< A mesh has none.
+  BodyNumbers body;
+  std::optional<SpinNumbers> spin{};  ///< A mesh has none.
 };
 
-report::BodyNumbers bodyOf(const scene::Scene& scene, const scene::Panel& motion) {
+BodyNumbers bodyOf(const scene::Scene& scene, const scene::Panel& motion) {
   if (motion.solid.isBook()) return bodyOfBook(motion);
   return motion.solid.parts.empty() ? bodyOfMeshFile(scene, motion.solid)
                                     : bodyOfParts(motion.solid);
@@ -127,16 +127,16 @@ void print(const std::string& head, const std::vector<Info>& infos) {
   std::cout << oneLine(head) << '\n';
   for (const Info& info : infos) {
     if (!info.label.empty()) std::cout << info.label << ":\n";
-    report::reportBody(info.body, std::cout);
-    if (info.spin) report::reportSpin(*info.spin, std::cout);
+    reportBody(info.body, std::cout);
+    if (info.spin) reportSpin(*info.spin, std::cout);
   }
 }
 
 std::string infoJson(const Info& info) {
   return JsonObject()
       .addStringOrNull("label", info.label)
-      .add("body", report::bodyJson(info.body))
-      .add("spin", info.spin ? report::spinJson(*info.spin) : "null")
+      .add("body", bodyJson(info.body))
+      .add("spin", info.spin ? spinJson(*info.spin) : "null")
       .text();
 }
 
@@ -157,7 +157,7 @@ void showScene(const std::string& path, const InfoOptions& options) {
                      " has a body of its own");
   const scene::Scene scene = options.scene.read(path);
   std::vector<Info> infos;
-  for (const report::SpinNumbers& spin : report::spinNumbersOf(scene))
+  for (const SpinNumbers& spin : spinNumbersOf(scene))
     infos.push_back({spin.motion.label, bodyOf(scene, spin.motion), spin});
   options.json ? printJson(scene.name, scene.title, infos)
                : print(scene.name + ": " + scene.title, infos);

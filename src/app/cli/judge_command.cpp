@@ -15,10 +15,10 @@
 #include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
+#include "cli/verdict_report.h"
 #include "physics/recorded_start.h"
 #include "physics/simulate.h"
 #include "recording/recorded_motion.h"
-#include "report/verdict_report.h"
 #include "rigid/inertia.h"
 #include "system/atomic_file.h"
 #include "timeline/simulate_scene.h"
@@ -31,7 +31,7 @@ struct JudgeArguments {
   std::string inertia, size;
   RecordingOptions recording;
   SceneOptions scene;
-  report::VerdictBounds bounds;
+  VerdictBounds bounds;
   bool json = false;
   std::string junit;
 };
@@ -71,13 +71,13 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
 }
 
 /// Returns the verdict on a table's motion, or what is wrong with the table.
-report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
+JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
   try {
     const physics::MotionSettings motion = motionOf(file, arguments);
     std::vector<double> times;
     for (const auto& moment : motion.simulation.recorded.motion->moments())
       times.push_back(moment.time);
-    return report::judgedMotion(file, motion, physics::simulate(motion, times));
+    return judgedMotion(file, motion, physics::simulate(motion, times));
   } catch (const recording::ContradictionError& error) {
     const std::string mistake = error.what(), head = file + ": ";
     return {.name = file,
@@ -86,7 +86,7 @@ report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& 
 }
 
 void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
-                    std::vector<report::JudgedMotion>& judged) {
+                    std::vector<JudgedMotion>& judged) {
   const scene::Scene scene = arguments.scene.read(file);
   if (!arguments.junit.empty())
     refuseInputs(arguments.junit, inputsOf(file, scene), "name another file with --junit");
@@ -95,9 +95,8 @@ void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const auto& simulation = panels[i].simulation;
     if (simulation.model == physics::Model::Recorded) printNotes(file, *simulation.recorded.motion);
-    judged.push_back(
-        report::judgedMotion(panels[i].label.empty() ? file : file + ": " + panels[i].label,
-                             panels[i].motion(), motion.trajectories()[i]));
+    judged.push_back(judgedMotion(panels[i].label.empty() ? file : file + ": " + panels[i].label,
+                                  panels[i].motion(), motion.trajectories()[i]));
   }
 }
 
@@ -124,11 +123,11 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
 int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
   if (!arguments.junit.empty()) {
-    requireAbsentOr(arguments.junit, report::kJunitBeginning);
+    requireAbsentOr(arguments.junit, kJunitBeginning);
     for (const std::string& file : arguments.files)
       refuseInputs(arguments.junit, {{file, "to be judged"}}, "name another file with --junit");
   }
-  std::vector<report::JudgedMotion> judged;
+  std::vector<JudgedMotion> judged;
   for (const std::string& file : arguments.files) {
     if (isScene(file)) {
       addJudgedScene(file, arguments, judged);
@@ -136,15 +135,14 @@ int judgeAll(const JudgeArguments& arguments) {
       judged.push_back(judgedTable(file, arguments));
     }
   }
-  (arguments.json ? report::reportVerdictsAsJson : report::reportVerdicts)(judged, arguments.bounds,
-                                                                           std::cout);
+  (arguments.json ? reportVerdictsAsJson : reportVerdicts)(judged, arguments.bounds, std::cout);
   if (!arguments.junit.empty()) {
-    system::writeFileAtomically(arguments.junit, report::junitOf(judged, arguments.bounds));
+    system::writeFileAtomically(arguments.junit, junitOf(judged, arguments.bounds));
   }
-  return statusOf(report::allMet(judged, arguments.bounds));
+  return statusOf(allMet(judged, arguments.bounds));
 }
 
-void addBounds(CLI::App& command, report::VerdictBounds& bounds) {
+void addBounds(CLI::App& command, VerdictBounds& bounds) {
   constexpr const char* kGroup = "Bounds, of which one that isn't kept ends in exit status 1";
   command.add_option("--max-error-deg", bounds.errorDeg, "On the angle to the exact attitude")
       ->check(notNegative)

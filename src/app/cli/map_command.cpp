@@ -3,15 +3,19 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/json.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
+#include "cli/expectation_report.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
@@ -20,16 +24,114 @@
 #include "pipeline/make_map.h"
 #include "pipeline/map_options.h"
 #include "plot/map_plot.h"
-#include "report/map_report.h"
+#include "scene/scene.h"
 #include "store/clip_files.h"
 #include "store/result_owners.h"
 #include "store/study_files.h"
+#include "study/map_result.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
 namespace {
 
-using report::MappedScene;
+/// A scene, and as much of its map's outcome as there is.
+struct MappedScene {
+  scene::Scene scene;
+  std::optional<study::MapFacts> facts{};
+  std::vector<study::MarkedValue> marks{};
+  std::vector<study::ExpectedOfMap> expected{};
+  std::vector<std::string> files{};  ///< That were written.
+  bool interrupted = false;
+  std::string error{};  ///< Empty if there was none.
+
+  bool isMet() const { return std::ranges::all_of(expected, &study::ExpectedOfMap::isMet); }
+};
+
+std::string countText(std::int64_t count, const char* what) {
+  return count > 0 ? std::to_string(count) + " " + what : "";
+}
+
+std::string factsLine(const study::MapFacts& facts) {
+  constexpr int kDigits = 4;
+  const std::string values = facts.withValue() == 0
+                                 ? "no run has a value"
+                                 : "values from " + roundedText(facts.smallest, kDigits) + " to " +
+                                       roundedText(facts.largest, kDigits) + ", mean " +
+                                       roundedText(facts.mean, kDigits);
+  return std::to_string(facts.runs) + " runs: " +
+         joined({values, countText(facts.never, "never"), countText(facts.diverged, "diverged"),
+                 countText(facts.refused, "refused")});
+}
+
+std::string valueText(double value) {
+  constexpr int kDigits = 5;
+  switch (study::outcomeOf(value)) {
+    case scene::Outcome::Value:
+      break;
+    case scene::Outcome::Never:
+      return "never";
+    case scene::Outcome::Diverged:
+      return "diverged";
+    case scene::Outcome::Refused:
+      return "refused";
+  }
+  return roundedText(value, kDigits);
+}
+
+std::string factsJson(const study::MapFacts& facts) {
+  return JsonObject()
+      .addInteger("runs", facts.runs)
+      .addInteger("never", facts.never)
+      .addInteger("diverged", facts.diverged)
+      .addInteger("refused", facts.refused)
+      .addNumber("smallest", facts.smallest)
+      .addNumber("largest", facts.largest)
+      .addNumber("mean", facts.mean)
+      .text();
+}
+
+std::string expectedJson(const study::ExpectedOfMap& expected) {
+  return JsonObject()
+      .addString("quantity", expected.subject())
+      .addNumberOrNull("min", expected.expectation.bounds.min)
+      .addNumberOrNull("max", expected.expectation.bounds.max)
+      .addNumber("measured", expected.measured)
+      .addBool("met", expected.isMet())
+      .text();
+}
+
+std::string mapJson(const MappedScene& mapped) {
+  return JsonObject()
+      .addString("name", mapped.scene.name)
+      .addString("title", mapped.scene.title)
+      .addBool("interrupted", mapped.interrupted)
+      .addStringOrNull("error", mapped.error)
+      .add("files", jsonArrayOf(mapped.files, jsonString))
+      .add("facts", mapped.facts ? factsJson(*mapped.facts) : "null")
+      .add("expectations", jsonArrayOf(mapped.expected, expectedJson))
+      .text();
+}
+
+/// Prints a line for the values, and one for each mark and each expectation.
+void reportMap(const MappedScene& mapped, std::ostream& out) {
+  if (mapped.facts) out << "  " << factsLine(*mapped.facts) << '\n';
+  for (const study::MarkedValue& marked : mapped.marks) {
+    out << "  " << marked.mark.label << " at [" << shortestText(marked.mark.x) << ", "
+        << shortestText(marked.mark.y) << "]: " << joinedOf(marked.values, valueText) << '\n';
+  }
+  for (const study::ExpectedOfMap& one : mapped.expected) {
+    out << "  " << reportLine(one.subject(), one.expectation.bounds, one.measured) << '\n';
+  }
+}
+
+/// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
+void reportMapsAsJson(const std::vector<MappedScene>& maps, bool interrupted, std::ostream& out) {
+  out << JsonObject()
+             .addBool("interrupted", interrupted)
+             .add("maps", jsonArrayOf(maps, mapJson))
+             .text()
+      << '\n';
+}
 
 struct MapArguments {
   std::vector<std::string> scenes;
@@ -190,7 +292,7 @@ int runMapTasksAsJson(const std::vector<MapTask>& tasks, RunMapTask* runTask,
                       const pipeline::MapOptions& options, std::vector<MappedScene>& mapped) {
   std::ostream nowhere(nullptr);
   const int status = guarded([&] { return runMapTasks(tasks, runTask, options, mapped, nowhere); });
-  report::reportMapsAsJson(mapped, status >= kInterrupted, std::cout);
+  reportMapsAsJson(mapped, status >= kInterrupted, std::cout);
   return status;
 }
 

@@ -14,11 +14,11 @@
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/motion_report.h"
 #include "cli/progress_line.h"
+#include "cli/render_report.h"
 #include "picture/preflight.h"
-#include "report/file_report.h"
-#include "report/motion_report.h"
-#include "report/render_report.h"
+#include "store/disk_space.h"
 #include "system/machine.h"
 #include "system/parallel_runs.h"
 #include "timeline/simulate_scene.h"
@@ -30,7 +30,7 @@ using Progress = std::function<void(pipeline::RenderProgress)>;
 
 /// Renders a scene into `rendered`, which has what was done also after an error.
 void render(const SceneToRender& one, const pipeline::RenderOptions& options,
-            const Progress& progress, std::ostream& out, report::RenderedScene& rendered) {
+            const Progress& progress, std::ostream& out, RenderedScene& rendered) {
   const scene::Scene& scene = one.scene;
   const timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
   rendered.interrupted = *options.stop;
@@ -41,9 +41,9 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     rendered.start = start;
-    report::reportStart(rendered, options, out);
+    reportStart(rendered, options, out);
     const std::string warning =
-        report::spaceWarning(start.space, options.folder, hasPng(options.outputs));
+        store::spaceWarning(start.space, options.folder, hasPng(options.outputs));
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
@@ -53,8 +53,7 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
 
 /// Renders a scene likewise, and keeps the message of an error that is thrown.
 void renderOrNoteError(const SceneToRender& one, const pipeline::RenderOptions& options,
-                       const Progress& progress, std::ostream& out,
-                       report::RenderedScene& rendered) {
+                       const Progress& progress, std::ostream& out, RenderedScene& rendered) {
   try {
     render(one, options, progress, out, rendered);
   } catch (const std::exception& error) {
@@ -63,12 +62,12 @@ void renderOrNoteError(const SceneToRender& one, const pipeline::RenderOptions& 
   }
 }
 
-int outcomeOf(const report::RenderedScene& rendered) {
+int outcomeOf(const RenderedScene& rendered) {
   return rendered.interrupted ? interruptStatus() : statusOf(timeline::allMet(rendered.motions));
 }
 
 int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                 std::ostream& out, std::vector<report::RenderedScene>& rendered) {
+                 std::ostream& out, std::vector<RenderedScene>& rendered) {
   int status = kDone;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     {
@@ -76,8 +75,8 @@ int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::Rende
       const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
       renderOrNoteError(scenes[i], options, progress, out, rendered[i]);
     }
-    report::reportRender(rendered[i], options, out);
-    report::reportRenderNotes(rendered[i], std::cerr);
+    reportRender(rendered[i], options, out);
+    reportRenderNotes(rendered[i], std::cerr);
     const int outcome = outcomeOf(rendered[i]);
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
@@ -89,7 +88,7 @@ int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::Rende
 class ParallelRenders {
  public:
   ParallelRenders(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                  std::ostream& out, std::vector<report::RenderedScene>& rendered)
+                  std::ostream& out, std::vector<RenderedScene>& rendered)
       : scenes_(scenes),
         options_(options),
         out_(out),
@@ -148,8 +147,8 @@ class ParallelRenders {
     };
     try {
       renderOrNoteError(scenes_[i], options_, progress, one.text, rendered_[i]);
-      report::reportRender(rendered_[i], options_, one.text);
-      report::reportRenderNotes(rendered_[i], one.notes);
+      reportRender(rendered_[i], options_, one.text);
+      reportRenderNotes(rendered_[i], one.notes);
       one.status = outcomeOf(rendered_[i]);
       one.state = State::Finished;
     } catch (...) {
@@ -219,7 +218,7 @@ class ParallelRenders {
   const std::vector<SceneToRender>& scenes_;
   const pipeline::RenderOptions& options_;
   std::ostream& out_;
-  std::vector<report::RenderedScene>& rendered_;  // Each is written by its render alone.
+  std::vector<RenderedScene>& rendered_;  // Each is written by its render alone.
   std::vector<Render> renders_;
   std::size_t reported_ = 0;
   bool failureReported_ = false;
@@ -228,9 +227,9 @@ class ParallelRenders {
 
 /// Renders all scenes as renderScenes() does, with its reports on `out`.
 int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-              int atATime, std::ostream& out, std::vector<report::RenderedScene>& rendered) {
+              int atATime, std::ostream& out, std::vector<RenderedScene>& rendered) {
   for (const SceneToRender& one : scenes)
-    report::reportNotes(one.scene, picture::notesOn(one.scene), std::cerr);
+    reportNotes(one.scene, picture::notesOn(one.scene), std::cerr);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options, out, rendered);
   pipeline::RenderOptions shared = options;
@@ -241,8 +240,8 @@ int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOp
   return ParallelRenders(scenes, shared, out, rendered).run(atATime);
 }
 
-std::vector<report::RenderedScene> notYetRendered(const std::vector<SceneToRender>& scenes) {
-  std::vector<report::RenderedScene> rendered;
+std::vector<RenderedScene> notYetRendered(const std::vector<SceneToRender>& scenes) {
+  std::vector<RenderedScene> rendered;
   for (const SceneToRender& one : scenes) rendered.push_back({one.scene});
   return rendered;
 }
@@ -261,7 +260,7 @@ int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
   std::ostream nowhere(nullptr);
   const int status =
       guarded([&] { return renderAll(scenes, options, atATime, nowhere, rendered); });
-  report::reportRendersAsJson(rendered, options, status >= kInterrupted, std::cout);
+  reportRendersAsJson(rendered, options, status >= kInterrupted, std::cout);
   return status;
 }
 

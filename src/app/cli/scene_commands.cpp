@@ -12,10 +12,10 @@
 #include "cli/commands.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
+#include "cli/motion_report.h"
 #include "cli/scene_options.h"
+#include "cli/scene_report.h"
 #include "picture/preflight.h"
-#include "report/motion_report.h"
-#include "report/scene_report.h"
 #include "scene/scene_text.h"
 #include "scene/source_locations.h"
 #include "store/scene_file.h"
@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 /// Reads a file by `read`; reports and keeps the message if it is wrong.
 template <typename Read>
-report::SceneFile readFile(const fs::path& path, const Read& read) {
-  report::SceneFile file{path};
+SceneFile readFile(const fs::path& path, const Read& read) {
+  SceneFile file{path};
   try {
     file.scene = read(path);
   } catch (const InputError& error) {
@@ -40,9 +40,9 @@ report::SceneFile readFile(const fs::path& path, const Read& read) {
   return file;
 }
 
-int statusOfAll(const std::vector<report::SceneFile>& files) {
+int statusOfAll(const std::vector<SceneFile>& files) {
   const bool ok =
-      std::ranges::all_of(files, [](const report::SceneFile& file) { return file.errors.empty(); });
+      std::ranges::all_of(files, [](const SceneFile& file) { return file.errors.empty(); });
   return ok ? kDone : kWrongInput;
 }
 
@@ -59,27 +59,27 @@ int checkScenes(const CheckArguments& arguments) {
     refuseSameNames({scene});
     picture::preflight(scene);
     notes = picture::notesOn(scene);
-    report::reportNotes(scene, notes, std::cerr);
+    reportNotes(scene, notes, std::cerr);
     return scene;
   };
-  std::vector<report::SceneFile> files;
+  std::vector<SceneFile> files;
   for (const std::string& path : arguments.paths) {
     files.push_back(readFile(path, check));
-    report::SceneFile& file = files.back();
+    SceneFile& file = files.back();
     if (!file.errors.empty()) continue;
     file.notes = notes;
     if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
     if (arguments.json) continue;
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(path) + ": ok\n");
   }
-  if (arguments.json) report::reportChecksAsJson(files, std::cout);
+  if (arguments.json) reportChecksAsJson(files, std::cout);
   return statusOfAll(files);
 }
 
-void printList(const std::vector<report::SceneFile>& files) {
+void printList(const std::vector<SceneFile>& files) {
   std::size_t width = 0;
-  for (const report::SceneFile& file : files) width = std::max(width, file.path.string().size());
-  for (const report::SceneFile& file : files) {
+  for (const SceneFile& file : files) width = std::max(width, file.path.string().size());
+  for (const SceneFile& file : files) {
     if (!file.scene) continue;
     std::cout << std::left << std::setw(static_cast<int>(width)) << oneLine(file.path.string())
               << "  " << std::right << std::setw(4) << shortestText(file.scene->clip.duration)
@@ -90,7 +90,7 @@ void printList(const std::vector<report::SceneFile>& files) {
 int listScenes(const std::string& folder, bool json) {
   const auto [paths, problems] = store::scenesBelow(folder);
   if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
-  std::vector<report::SceneFile> files;
+  std::vector<SceneFile> files;
   for (const auto& [path, message] : problems) {
     printError(message);
     files.push_back({.path = path, .errors = {message}});
@@ -98,7 +98,7 @@ int listScenes(const std::string& folder, bool json) {
   for (const fs::path& path : paths) {
     files.push_back(readFile(path, [](const fs::path& file) { return store::readScene(file); }));
   }
-  json ? report::reportListAsJson(files, std::cout) : printList(files);
+  json ? reportListAsJson(files, std::cout) : printList(files);
   return statusOfAll(files);
 }
 

@@ -10,8 +10,8 @@
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/motion_report.h"
 #include "cli/scene_options.h"
-#include "report/motion_report.h"
 #include "store/clip_files.h"
 #include "store/result_owners.h"
 #include "store/tables.h"
@@ -46,18 +46,18 @@ int printTable(const scene::Scene& scene, bool noExpect) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::tableText(scene, motion, 0);
   const std::vector<timeline::MotionSummary> motions = summariesOf(scene, motion, noExpect);
-  report::reportMotions(motions, std::clog);
-  report::reportNotes(scene, motions, std::cerr);
+  reportMotions(motions, std::clog);
+  reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), false);
 }
 
-void reportAsText(const scene::Scene& scene, const std::vector<report::WrittenTable>& tables,
+void reportAsText(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
                   const std::vector<timeline::MotionSummary>& motions, std::ostream& out) {
   out << scene.name << ": " << scene.title << '\n';
-  for (const report::WrittenTable& table : tables) {
+  for (const WrittenTable& table : tables) {
     out << "  wrote " << oneLine(table.path.string()) << ", " << table.rows << " rows\n";
   }
-  report::reportMotions(motions, out);
+  reportMotions(motions, out);
 }
 
 int simulateScene(const SimulateArguments& arguments) {
@@ -66,7 +66,7 @@ int simulateScene(const SimulateArguments& arguments) {
         "--csv - and --json both print to the standard output; name a file with --csv");
   }
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  report::reportNotes(scene, std::cerr);
+  reportNotes(scene, std::cerr);
   if (arguments.csv == "-") return printTable(scene, arguments.noExpect);
   std::vector<std::filesystem::path> files;
   if (!arguments.csv.empty()) files = store::csvFiles(arguments.csv, scene);
@@ -84,13 +84,12 @@ int simulateScene(const SimulateArguments& arguments) {
   if (!files.empty()) store::writeTables(files, scene, motion);
   const std::vector<timeline::MotionSummary> motions =
       summariesOf(scene, motion, arguments.noExpect);
-  std::vector<report::WrittenTable> tables;
+  std::vector<WrittenTable> tables;
   for (std::size_t i = 0; i < files.size(); ++i) {
     tables.push_back({files[i], timeline::rowCount(scene, motion, i)});
   }
-  (arguments.json ? report::reportSimulationAsJson : reportAsText)(scene, tables, motions,
-                                                                   std::cout);
-  report::reportNotes(scene, motions, std::cerr);
+  (arguments.json ? reportSimulationAsJson : reportAsText)(scene, tables, motions, std::cout);
+  reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), !files.empty());
 }
 

@@ -5,8 +5,8 @@
 
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "farm/farm_report.h"
 #include "farm/status.h"
-#include "report/farm_report.h"
 
 namespace rotatebook::cli {
 
@@ -27,8 +27,7 @@ Example:
   command->callback([folder, json, &action] {
     action = [folder, json] {
       const std::vector<farm::PlanState> states = farm::statesBelow(*folder);
-      *json ? report::reportStatesAsJson(states, std::cout)
-            : report::reportStates(states, std::cout);
+      *json ? farm::reportStatesAsJson(states, std::cout) : farm::reportStates(states, std::cout);
       return statusOf(std::ranges::none_of(states, &farm::PlanState::hasFailed));
     };
   });

@@ -20,10 +20,10 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "diagnose/study_execution.h"
+#include "cli/study_execution.h"
+#include "cli/study_report.h"
 #include "document/toml_text.h"
 #include "plot/study_plots.h"
-#include "report/study_report.h"
 #include "scene/source_locations.h"
 #include "store/fingerprint.h"
 #include "store/result_owners.h"
@@ -49,8 +49,6 @@ struct Task {
   scene::Scene scene;
   store::StudyFiles files;
 };
-
-using report::StudiedScene;
 
 std::vector<std::string> itemsOf(const std::string& list) {
   std::vector<std::string> items;
@@ -158,11 +156,11 @@ int finish(const Task& task, const study::Study& result, StudiedScene& studied, 
   studied.files.push_back(task.files.csv.string());
   studied.result = result;
   refuseNoResult(task, result);
-  const int status = statusOf(report::reportStudy(result, *task.scene.study, out));
+  const int status = statusOf(reportStudy(result, *task.scene.study, out));
   plot::writeStudyPlot(result, task.scene, task.files.plots);
   for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   studied.files.push_back(task.files.json.string());
-  system::writeFileAtomically(task.files.json, report::studyJson(besideItsFiles(studied)) + '\n');
+  system::writeFileAtomically(task.files.json, studyJson(besideItsFiles(studied)) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }
@@ -172,7 +170,7 @@ std::optional<study::Study> run(const scene::Scene& scene, const std::atomic<boo
   system::RunOptions options;
   options.stop = &stop;
   options.progress = progress.updater();
-  return runStudy(scene, diagnose::onThisMachine(options));
+  return runStudy(scene, onThisMachine(options));
 }
 
 /// Returns the result of `work` for a scene; `studied` has the message of an error that is thrown.
@@ -217,7 +215,7 @@ int runTasksAsJson(const std::vector<Task>& tasks, const std::atomic<bool>& stop
                    std::vector<StudiedScene>& studied) {
   std::ostream nowhere(nullptr);
   const int status = guarded([&] { return runTasks(tasks, stop, studied, nowhere); });
-  report::reportStudiesAsJson(studied, status >= kInterrupted, std::cout);
+  reportStudiesAsJson(studied, status >= kInterrupted, std::cout);
   return status;
 }
 

@@ -14,14 +14,14 @@
 #include "cli/exit_code.h"
 #include "cli/format_options.h"
 #include "cli/input_guard.h"
+#include "cli/planning.h"
 #include "cli/scene_options.h"
+#include "farm/farm_report.h"
 #include "farm/plan_folder.h"
 #include "farm/plan_texts.h"
-#include "farm/planning.h"
 #include "farm/submission.h"
 #include "picture/preflight.h"
 #include "plot/map_plot.h"
-#include "report/farm_report.h"
 #include "store/footprint.h"
 #include "store/result_owners.h"
 #include "system/atomic_file.h"
@@ -73,7 +73,7 @@ void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
 }
 
 /// Throws InputError if the tasks' results would replace others'.
-void refuseLostResults(const scene::Scene& scene, const farm::PlanWishes& wishes) {
+void refuseLostResults(const scene::Scene& scene, const PlanWishes& wishes) {
   const std::string remedy = std::string("the ") + nameOf(wishes.work) + " of " + scene.name +
                              " would replace it; name another folder with -o";
   if (wishes.work == farm::Work::Render) {
@@ -92,7 +92,7 @@ void refuseLostResults(const scene::Scene& scene, const farm::PlanWishes& wishes
 }
 
 /// Returns the names that submit and its tasks write, move or remove for a scene.
-store::Footprint footprintOfTasks(const scene::Scene& scene, const farm::PlanWishes& wishes) {
+store::Footprint footprintOfTasks(const scene::Scene& scene, const PlanWishes& wishes) {
   store::Footprint footprint;
   addPlanTo(footprint, farm::planFiles(wishes.folder, wishes.work));
   if (wishes.work == farm::Work::Render)
@@ -105,10 +105,9 @@ store::Footprint footprintOfTasks(const scene::Scene& scene, const farm::PlanWis
 }
 
 /// Reads all scenes, and finds now what each task would find.
-std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments,
-                                          const farm::PlanWishes& wishes) {
+std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const PlanWishes& wishes) {
   const farm::Work work = wishes.work;
-  std::vector<farm::SceneOfFile> read;
+  std::vector<SceneOfFile> read;
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
@@ -143,11 +142,11 @@ std::vector<std::string> argumentsOfTasks(const SubmitArguments& arguments, farm
   return words;
 }
 
-farm::PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
-  farm::PlanWishes wishes{.work = work,
-                          .folder = fs::absolute(arguments.folder).lexically_normal(),
-                          .cores = arguments.cores,
-                          .arguments = argumentsOfTasks(arguments, work)};
+PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
+  PlanWishes wishes{.work = work,
+                    .folder = fs::absolute(arguments.folder).lexically_normal(),
+                    .cores = arguments.cores,
+                    .arguments = argumentsOfTasks(arguments, work)};
   if (work != farm::Work::Render) return wishes;
   wishes.formats = videoFormatsOf(arguments.formats, arguments.noMp4);
   std::vector<std::string> names;
@@ -158,15 +157,14 @@ farm::PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
 }
 
 /// Divides a plan by what is measured here, or by --chunk.
-void divide(farm::Plan& plan, const std::vector<farm::SceneOfFile>& scenes,
+void divide(farm::Plan& plan, const std::vector<SceneOfFile>& scenes,
             const SubmitArguments& arguments, const farm::Slots& slots) {
   std::vector<std::int64_t> parts;
   if (arguments.chunk > 0) {
-    parts = farm::partsOfChunk(farm::unmeasuredEfforts(plan), arguments.chunk, slots);
+    parts = farm::partsOfChunk(unmeasuredEfforts(plan), arguments.chunk, slots);
   } else {
     try {
-      parts = farm::partsOf(farm::measureEfforts(plan, scenes, arguments.deviceOptions.parsed()),
-                            slots);
+      parts = farm::partsOf(measureEfforts(plan, scenes, arguments.deviceOptions.parsed()), slots);
     } catch (const MachineError& error) {
       throw MachineError(std::string("can't measure how fast a task is: ") + error.what() +
                          "; say how many " + farm::unitsOf(plan.work) +
@@ -177,10 +175,10 @@ void divide(farm::Plan& plan, const std::vector<farm::SceneOfFile>& scenes,
 }
 
 /// Returns the plan to go on with, or a new one, divided.
-farm::StoredPlan preparedPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+farm::StoredPlan preparedPlan(const SubmitArguments& arguments, const PlanWishes& wishes,
                               const farm::PlanFiles& files, const farm::Slots& slots) {
-  const std::vector<farm::SceneOfFile> scenes = readScenes(arguments, wishes);
-  farm::Plan plan = farm::planOf(scenes, wishes);
+  const std::vector<SceneOfFile> scenes = readScenes(arguments, wishes);
+  farm::Plan plan = planOf(scenes, wishes);
   const auto earlier = farm::continued(plan, files);
   if (earlier && arguments.chunk == 0) return *earlier;
   divide(plan, scenes, arguments, slots);
@@ -189,7 +187,7 @@ farm::StoredPlan preparedPlan(const SubmitArguments& arguments, const farm::Plan
   return {plan};
 }
 
-int printPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+int printPlan(const SubmitArguments& arguments, const PlanWishes& wishes,
               const farm::PlanFiles& files) {
   const farm::PlanFormat& format = farm::planFormat(arguments.plan);
   const farm::StoredPlan stored = preparedPlan(arguments, wishes, files, {});
@@ -218,7 +216,7 @@ int printScripts(const farm::StoredPlan& stored, const farm::PlanFiles& files,
   return kDone;
 }
 
-int submitToSlurm(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+int submitToSlurm(const SubmitArguments& arguments, const PlanWishes& wishes,
                   const farm::PlanFiles& files) {
   const farm::ClusterLimits limits = farm::readLimits();
   const farm::Slots slots{farm::countProcessors(arguments.job.partition) / arguments.cores,
@@ -226,7 +224,7 @@ int submitToSlurm(const SubmitArguments& arguments, const farm::PlanWishes& wish
   const farm::StoredPlan stored = preparedPlan(arguments, wishes, files, slots);
   if (arguments.dryRun) return printScripts(stored, files, arguments, limits);
   const farm::Submission submission = farm::submit(stored, files, arguments.job, limits);
-  report::reportSubmission(stored.plan, submission, std::cout);
+  farm::reportSubmission(stored.plan, submission, std::cout);
   return kDone;
 }
 
@@ -234,7 +232,7 @@ int submit(const SubmitArguments& arguments) {
   const farm::Work work = workOf(arguments);
   requireEngine(arguments);
   refuseWithoutEffect(arguments, work);
-  const farm::PlanWishes wishes = wishesOf(arguments, work);
+  const PlanWishes wishes = wishesOf(arguments, work);
   const farm::PlanFiles files = farm::planFiles(wishes.folder, work);
   return arguments.slurm ? submitToSlurm(arguments, wishes, files)
                          : printPlan(arguments, wishes, files);

@@ -1,10 +1,17 @@
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <numbers>
 #include <string>
 #include <system_error>
 
+#include <Eigen/Core>
+
 #include "base/error.h"
+#include "base/json.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -12,13 +19,182 @@
 #include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "recording/toss.h"
-#include "report/toss_report.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 2> kRatioNames{"I1/I3", "I2/I3"};
+
+std::string digits4(double value) {
+  return roundedText(value, 4);
+}
+
+std::string degreesASecond(double rate) {
+  return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
+}
+
+template <typename Vector>
+std::string tomlVector(const Vector& vector) {
+  return "[" + shortestText(vector[0]) + ", " + shortestText(vector[1]) + ", " +
+         shortestText(vector[2]) + "]";
+}
+
+std::string tomlTensor(const Eigen::Matrix3d& tensor) {
+  return "[" + tomlVector(tensor.row(0)) + ", " + tomlVector(tensor.row(1)) + ", " +
+         tomlVector(tensor.row(2)) + "]";
+}
+
+std::string ratioJson(const recording::Estimate& ratio) {
+  return JsonObject()
+      .addNumber("value", ratio.value)
+      .addNumber("low", ratio.low)
+      .addNumber("high", ratio.high)
+      .text();
+}
+
+/// Returns a sentence on what the intervals hold.
+std::string intervalsText(const recording::TossFit& fit) {
+  if (fit.noise == 0) {
+    return "the intervals hold in 95 of 100 tosses by noise alone; without a rest before, other "
+           "errors don't show";
+  }
+  const std::string residual =
+      "the residual is " + roundedText(fit.residual / fit.noise, 2) + " times the noise at rest";
+  if (fit.widening > 1) {
+    return residual +
+           ": the intervals that hold in 95 of 100 tosses by noise alone are widened by " +
+           roundedText(fit.widening, 2);
+  }
+  return "the intervals hold in 95 of 100 tosses by noise alone; " + residual;
+}
+
+JsonObject& addFit(JsonObject& object, const recording::TossFit& fit) {
+  const Eigen::Matrix3d& inertia = fit.inertia;
+  return object.addInteger("readings", static_cast<std::int64_t>(fit.readings))
+      .add("I1_over_I3", ratioJson(fit.ratios[0]))
+      .add("I2_over_I3", ratioJson(fit.ratios[1]))
+      .add("inertia", jsonArray({vectorJson(inertia.row(0)), vectorJson(inertia.row(1)),
+                                 vectorJson(inertia.row(2))}))
+      .add("angular_velocity", vectorJson(fit.start))
+      .add("bias", vectorJson(fit.bias))
+      .addNumber("rest_s", fit.rest)
+      .addNumber("residual", fit.residual)
+      .addNumber("noise", fit.noise)
+      .addNumber("widening", fit.widening)
+      .addNumber("gap", fit.gap)
+      .add("notes", jsonArrayOf(fit.notes, jsonString));
+}
+
+std::string throwJson(const recording::Throw& one) {
+  JsonObject object;
+  object.addNumber("from_s", one.from).addNumber("to_s", one.to).addNumber("spin", one.spin);
+  object.addBool("flight", one.isFlight).addBool("accepted", one.fit.has_value());
+  if (!one.fit) return object.addString("refusal", one.refusal).text();
+  return addFit(object, *one.fit).text();
+}
+
+/// Returns the keys of [simulation] that state what `options` does.
+std::string statedKeys(const recording::ReadOptions& options) {
+  std::string text;
+  if (!options.timeUnit.empty()) text += "time_unit = " + quotedText(options.timeUnit) + "\n";
+  if (!options.unit.empty()) text += "rates = " + quotedText(options.unit) + "\n";
+  if (options.columns.empty()) return text;
+  return text + "columns = { " +
+         joinedOf(options.columns,
+                  [](const auto& one) { return one.first + " = " + quotedText(one.second); }) +
+         " }\n";
+}
+
+/// Prints the flight, the ratios of the moments with their intervals, and the fit's residual;
+/// `name` is the recording's.
+void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
+  out << oneLine(name) << ": flight from " << recording::timeText(fit.from) << " to "
+      << recording::timeText(fit.to) << " s, " << fit.readings << " readings\n";
+  for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
+    const recording::Estimate& ratio = fit.ratios[i];
+    out << "  " << kRatioNames[i] << " = " << roundedText(ratio.value, 6) << ", "
+        << roundedText(ratio.low, 6) << " to " << roundedText(ratio.high, 6) << '\n';
+  }
+  out << "  " << intervalsText(fit) << "\n  the fitted motion differs by "
+      << degreesASecond(fit.residual) << " (root mean square) of " << degreesASecond(fit.spin)
+      << "; gap of singular values " << roundedText(fit.gap, 3) << '\n';
+  if (fit.rest > 0) {
+    out << "  bias " << degreesASecond(fit.bias.norm()) << ", from " << digits4(fit.rest)
+        << " s of rest before\n";
+  } else if (fit.isMeasured) {
+    out << "  no rest before the flight: the gyroscope's bias isn't subtracted, and the intervals "
+           "leave it out\n";
+  }
+  for (const std::string& note : fit.notes) out << "  note: " << note << '\n';
+}
+
+void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
+  JsonObject object;
+  object.addString("name", name).addNumber("from_s", fit.from).addNumber("to_s", fit.to);
+  out << addFit(object, fit).text() << '\n';
+}
+
+/// Prints a line for each throw of a recording: its time and spin, and its ratios or why it is
+/// refused.
+void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
+                  std::ostream& out) {
+  const auto flights = std::ranges::count(throws, true, &recording::Throw::isFlight);
+  out << oneLine(name) << ": " << flights << (flights == 1 ? " flight" : " flights");
+  if (throws.empty()) {
+    out << ", as the body never turns faster than " << degreesASecond(recording::kSlowestThrow)
+        << " for " << roundedText(recording::kShortestThrow, 2) << " s";
+  }
+  out << '\n';
+  for (const recording::Throw& one : throws) {
+    out << "  from " << recording::timeText(one.from) << " to " << recording::timeText(one.to)
+        << ", " << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin)
+        << ": ";
+    if (!one.fit) {
+      // Each refusal begins with the recording's name.
+      const bool isNamed = one.refusal.starts_with(name + ": ");
+      out << "refused: " << one.refusal.substr(isNamed ? name.size() + 2 : 0) << '\n';
+      continue;
+    }
+    out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
+        << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';
+    for (const std::string& note : one.fit->notes) out << "    note: " << note << '\n';
+  }
+}
+
+void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
+                        std::ostream& out) {
+  out << JsonObject().addString("name", name).add("throws", jsonArrayOf(throws, throwJson)).text()
+      << '\n';
+}
+
+/// Returns a scene of the toss: the recording beside the exact motion from its fitted start, at a
+/// tenth of its speed. `file` is the recording's path from the scene's folder, `options` what the
+/// command line stated about it.
+std::string tossScene(const recording::TossFit& fit, const std::string& file,
+                      const recording::ReadOptions& options) {
+  constexpr double kSpeed = 0.1;
+  // As large as the default book's, which is drawn.
+  constexpr double kLargestMoment = 0.009988;  // [kg m^2]
+  constexpr double kFramesASecond = 60;
+  // The last frame is within the flight.
+  const double duration = (fit.to - fit.from) / kSpeed - 1 / kFramesASecond;
+  return "title = \"A toss, as measured\"\n"
+         "caption = \"The outline is the exact motion of the inertia that the toss tells.\"\n\n"
+         "[body]\ninertia = " +
+         tomlTensor(kLargestMoment * fit.inertia) + "\n\n[clip]\nspeed = " + shortestText(kSpeed) +
+         "\nduration = " + roundedText(duration, 6) +
+         "\n\n[overlay]\nshow = [\"caption\", \"clock\", \"half_turns\", \"ghost\", \"error\"]\n"
+         "\n[[panel]]\nlabel = \"measured\"\n[panel.simulation]\nmodel = \"recorded\"\nfile = " +
+         quotedText(file) + "\nfrom = " + shortestText(fit.from) +
+         "\nto = " + shortestText(fit.to) + "\nbias = " + tomlVector(fit.bias) + "\n" +
+         statedKeys(options) +
+         "\n[[panel]]\nlabel = \"exact\"\n[panel.simulation]\nmodel = \"exact\"\n"
+         "[panel.initial]\nangular_velocity = " +
+         tomlVector(fit.start) + "\n";
+}
 
 struct TossArguments {
   std::string file, acceleration, scene;
@@ -64,15 +240,14 @@ int fitAndReport(const TossArguments& arguments) {
   const recording::InertialRecording recording = recording::readInertial(
       files.motion.bytes, files.motion.name, options, files.accelerationTable());
   if (arguments.list) {
-    (arguments.json ? report::reportThrowsAsJson : report::reportThrows)(
+    (arguments.json ? reportThrowsAsJson : reportThrows)(
         recording::findThrows(recording, files.motion.name, toss), files.motion.name, std::cout);
     return kDone;
   }
   const recording::TossFit fit = recording::fitToss(recording, files.motion.name, toss);
-  (arguments.json ? report::reportTossAsJson : report::reportToss)(fit, files.motion.name,
-                                                                   std::cout);
+  (arguments.json ? reportTossAsJson : reportToss)(fit, files.motion.name, std::cout);
   if (path.empty()) return kDone;
-  system::writeFileAtomically(arguments.scene, report::tossScene(fit, path, options));
+  system::writeFileAtomically(arguments.scene, tossScene(fit, path, options));
   if (!arguments.json) std::cout << "wrote " << oneLine(arguments.scene) << '\n';
   return kDone;
 }

@@ -1,20 +1,234 @@
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <ranges>
 #include <string>
+#include <vector>
 
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
 #include "cli/rerun.h"
-#include "report/verify_report.h"
+#include "verify/verify_clip.h"
 
 namespace rotatebook::cli {
 namespace {
+
+using verify::ClipCheck;
+using verify::PictureCheck;
+using verify::Verdict;
+using verify::Verification;
+
+constexpr int kVerdictWidth = 8;
+constexpr int kCheckWidth = 13;
+constexpr int kAlwaysShown = 2;  // Of the measures: these have their place in each line.
+
+void printCheck(const ClipCheck& check, std::ostream& out) {
+  out << "  " << std::left << std::setw(kVerdictWidth) << (check.passed ? "ok" : "FAILED")
+      << std::setw(kCheckWidth) << check.what << check.measured;
+  const bool same = check.measured == check.wanted;
+  out << " (" << (same ? "as it must be" : check.wanted) << ")\n";
+}
+
+std::string numberText(double value) {
+  return roundedText(value, 3);
+}
+
+/// Returns "brightness or contrast changed by 1.1 (at most 0.4)", and whatever else is too large.
+std::string excessOf(const PictureCheck& check) {
+  std::string text;
+  for (const verify::MeasureRow& row : verify::kMeasures | std::views::drop(kAlwaysShown)) {
+    const double measured = check.measured.*row.value, bound = check.bound.*row.value;
+    if (measured <= bound) continue;
+    text += "; " + std::string(row.text) + " by " + numberText(measured) + " (at most " +
+            numberText(bound) + ")";
+  }
+  return text;
+}
+
+/// Converts to a check that is printed like the others.
+ClipCheck asClipCheck(const PictureCheck& check) {
+  std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
+                         numberText(check.measured.worstBlock) + " in the worst block" +
+                         excessOf(check);
+  if (check.closerTo) {
+    measured += "; it is closer to frame " + std::to_string(*check.closerTo);
+  }
+  return {"frame " + std::to_string(check.frame), measured,
+          "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstBlock),
+          check.passed()};
+}
+
+std::string framesText(const Verification& found) {
+  const std::string count = std::to_string(found.wholeCount);
+  if (!found.record.part) return count + " frames";
+  return "frames " + rangeText(found.range) + " of " + count;
+}
+
+/// Returns "0, 12, 25"; of many only the first.
+std::string framesCompared(const Verification& found) {
+  constexpr std::size_t kMaxNamed = 12;
+  return joinedOf(found.pictures | std::views::take(kMaxNamed),
+                  [](const PictureCheck& check) { return std::to_string(check.frame); }) +
+         (found.pictures.size() > kMaxNamed ? ", ..." : "");
+}
+
+std::string picturesCompared(const Verification& found) {
+  return std::to_string(found.pictures.size()) + " of " + std::to_string(found.range.count()) +
+         " pictures";
+}
+
+bool comparesAll(const Verification& found) {
+  return static_cast<std::int64_t>(found.pictures.size()) == found.range.count();
+}
+
+std::string failureText(const Verification& found) {
+  const std::int64_t count = found.failures();
+  return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
+         " failed; " + picturesCompared(found) + " were compared.";
+}
+
+std::string proofText(const Verification& found) {
+  if (comparesAll(found)) {
+    return "Proved: the motion and all " + std::to_string(found.pictures.size()) +
+           " pictures are those of the scene.";
+  }
+  return "Proved for " + picturesCompared(found) + " (" + framesCompared(found) +
+         "): they and the motion are those of the scene; --all compares every picture.";
+}
+
+std::string coarseText(const Verification& found) {
+  return "Consistent, coarsely: the motion is that of the scene, and " + picturesCompared(found) +
+         " may be, but the stream is coded too coarsely to prove it.";
+}
+
+/// Returns how well the stream is coded, and the smallest changes that are noticed for sure.
+std::string worthText(const Verification& found) {
+  const verify::Deviation bound = found.unnoticed();
+  // As many digits as show on which side of the limit it is.
+  const bool isNear = std::abs(found.quantiser.value_or(0) - verify::kCoarsestProof) < 1;
+  const int digits = isNear ? 5 : 3;
+  const std::string quantiser = found.quantiser
+                                    ? "coded at a mean quantiser of " +
+                                          roundedText(*found.quantiser, digits) + " of 51" +
+                                          (found.verdict() == Verdict::Coarse
+                                               ? ", above " + numberText(verify::kCoarsestProof)
+                                               : "")
+                                    : "its quantiser isn't measured";
+  return "Worth: " + quantiser + "; changes of up to " + numberText(bound.worstBlock) +
+         " in 16x16 pixels, " + numberText(std::max(bound.lumaPatch, bound.chromaPatch)) +
+         " on average in 32x32, " + numberText(bound.brightness) + " in brightness and " +
+         numberText(bound.colour) + " in colour (of 255), and shifts of " +
+         numberText(bound.shift) + " pixels may pass unnoticed.";
+}
+
+std::string verdictText(const Verification& found) {
+  switch (found.verdict()) {
+    case Verdict::Proved:
+      return proofText(found) + "\n" + worthText(found);
+    case Verdict::Coarse:
+      return coarseText(found) + "\n" + worthText(found);
+    case Verdict::NotProved:
+      return failureText(found);
+  }
+  return "";
+}
+
+const char* wordOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Proved:
+      return "proved";
+    case Verdict::Coarse:
+      return "consistent, coarsely";
+    case Verdict::NotProved:
+      return "not proved";
+  }
+  return "";
+}
+
+std::string json(const ClipCheck& check) {
+  return JsonObject()
+      .addString("check", check.what)
+      .addBool("passed", check.passed)
+      .addString("measured", check.measured)
+      .addString("wanted", check.wanted)
+      .text();
+}
+
+std::string json(const verify::Deviation& deviation) {
+  JsonObject object;
+  for (const verify::MeasureRow& row : verify::kMeasures) {
+    object.addNumber(row.name, deviation.*row.value);
+  }
+  return object.text();
+}
+
+std::string json(const PictureCheck& check) {
+  return JsonObject()
+      .addInteger("frame", check.frame)
+      .addBool("passed", check.passed())
+      .addNumber("quantiser", check.quantiser)
+      .add("measured", json(check.measured))
+      .add("bound", json(check.bound))
+      .add("closer_to", check.closerTo ? std::to_string(*check.closerTo) : "null")
+      .text();
+}
+
+std::string json(const store::Provenance& provenance) {
+  return JsonObject()
+      .addString("scene", provenance.scene)
+      .addString("version", provenance.program)
+      .addString("renderer", provenance.renderer)
+      .addString("ffmpeg", provenance.ffmpeg)
+      .text();
+}
+
+std::string json(store::FrameRange range) {
+  return jsonArray({std::to_string(range.first), std::to_string(range.end)});
+}
+
+/// Prints what made the clip, a line for each check with what was measured beside its bound, and a
+/// verdict. `clip` is the file's name.
+void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
+  const store::Provenance& provenance = found.record.provenance;
+  out << oneLine(clip) << ": claims to be " << framesText(found) << " of the scene "
+      << provenance.scene << ", made by rotatebook " << provenance.program << '\n';
+  for (const std::string& difference : found.toolsDiffer) {
+    out << "  note    " << difference << "; pixels may differ\n";
+  }
+  for (const ClipCheck& check : found.checks) printCheck(check, out);
+  for (const PictureCheck& check : found.pictures) printCheck(asClipCheck(check), out);
+  out << verdictText(found) << '\n';
+}
+
+/// Prints the same as one JSON object on one line.
+void reportVerificationAsJson(const std::string& clip, const Verification& found,
+                              std::ostream& out) {
+  const auto asJson = [](const auto& check) { return json(check); };
+  out << JsonObject()
+             .addString("clip", clip)
+             .addBool("proved", found.verdict() == Verdict::Proved)
+             .addString("verdict", wordOf(found.verdict()))
+             .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
+             .add("made_with", json(found.record.provenance))
+             .add("frames", json(found.range))
+             .addInteger("whole_frames", found.wholeCount)
+             .add("tools_differ", jsonArrayOf(found.toolsDiffer, jsonString))
+             .add("checks", jsonArrayOf(found.checks, asJson))
+             .add("pictures", jsonArrayOf(found.pictures, asJson))
+             .text()
+      << '\n';
+}
 
 struct VerifyArguments {
   std::filesystem::path clip;
@@ -54,8 +268,8 @@ int verify(const VerifyArguments& arguments) {
     options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
     found = verify::verifyClip(arguments.clip, options);
   }
-  (arguments.json ? report::reportVerificationAsJson : report::reportVerification)(
-      arguments.clip, found, std::cout);
+  (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
+                                                                   std::cout);
   return statusOf(found.verdict());
 }
 

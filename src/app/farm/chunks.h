@@ -1,4 +1,4 @@
-// The number of parts into which work is best divided. Inside the room only.
+// The number of parts into which work is best divided.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Sinks, which take a clip's finished frames: PNG files, videos, checksums.
+// Sinks, which take a clip's finished frames: PNG files, videos, checksums. Inside the room only.
 #pragma once
 
 #include <cstdint>

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/text.h"
 
 namespace rotatebook::store {
@@ -56,6 +57,18 @@ DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
   if (error)
     throw MachineError("can't read the free space of " + folder.string() + ": " + error.message());
   return {bytesNeeded(scene, files), static_cast<double>(space.available)};
+}
+
+std::string spaceWarning(const DiskSpace& space, const std::filesystem::path& folder, bool pngs) {
+  if (space.needed <= space.free) return "";
+  const auto sized = [](double bytes) {
+    if (bytes < 1e6) return std::to_string(std::llround(bytes / 1e3)) + " kB";
+    return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
+                       : roundedText(bytes / 1e9, 2) + " GB";
+  };
+  return "about " + sized(space.needed) + " are needed in " + oneLine(folder.string()) + " and " +
+         sized(space.free) + " are free: make room" +
+         (pngs ? ", or leave PNGs out with --no-png" : "");
 }
 
 }  // namespace rotatebook::store

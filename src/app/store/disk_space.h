@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -28,5 +29,9 @@ struct FilesToWrite {
 /// MachineError.
 DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
                     const std::filesystem::path& folder);
+
+/// Returns "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. If
+/// `pngs` are written, it advises to leave them out.
+std::string spaceWarning(const DiskSpace& space, const std::filesystem::path& folder, bool pngs);
 
 }  // namespace rotatebook::store

@@ -1,0 +1,197 @@
+#include "cli/motion_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "cli/expectation_report.h"
+#include "scene/names.h"
+#include "timeline/notes.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using timeline::MotionSummary;
+
+constexpr double kHalfTurnDeg = 180;
+constexpr double kVisibleChange = 1e-3;  // of the energy
+
+/// Returns `value` >= 0 rounded up to so many significant digits: "2e-9".
+std::string roundedUp(double value, int digits) {
+  if (value == 0) return "0";
+  const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
+  std::string text = roundedText(std::ceil(value / unit) * unit, digits);
+  if (const auto zero = text.find("e-0"); zero != text.npos) text.erase(zero + 2, 1);
+  return text;
+}
+
+/// Rounds to hundredths of a second, from 100 s on to seconds.
+std::string secondsText(double time) {
+  const double digits = time < 100 ? 100 : 1;
+  return shortestText(std::round(time * digits) / digits);
+}
+
+std::string flipsText(std::size_t made) {
+  return std::to_string(made) + (made == 1 ? " flip" : " flips");
+}
+
+/// Returns "3 flips, at 2.43, 6.82, 11.2 s"; of many the first ones.
+std::string flipsText(const MotionSummary& summary) {
+  constexpr std::size_t kMaxListed = 8;
+  const std::string text = flipsText(summary.flips.size());
+  if (summary.flips.empty()) return text;
+  const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
+  return text + ", at " + joinedOf(shown, secondsText) +
+         (shown.size() < summary.flips.size() ? " ... s" : " s");
+}
+
+std::string energyJson(const MotionSummary& summary) {
+  return JsonObject()
+      .addNumber("lowest", summary.lowestEnergy)
+      .addNumber("highest", summary.highestEnergy)
+      .text();
+}
+
+std::string motionJson(const MotionSummary& summary) {
+  const auto& simulation = summary.motion.simulation;
+  std::vector<std::string> notes = timeline::notesOn(summary.motion);
+  notes.insert(notes.end(), summary.notes.begin(), summary.notes.end());
+  return JsonObject()
+      .addStringOrNull("label", summary.motion.label)
+      .addString("model", nameOf(scene::kModels, simulation.model))
+      .addStringOrNull("integrator", physics::takesSteps(simulation.model)
+                                         ? nameOf(scene::kIntegrators, simulation.integrator)
+                                         : std::string_view())
+      .addInteger("half_turns", static_cast<std::int64_t>(summary.flips.size()))
+      .add("flips_s", jsonArrayOf(summary.flips, shortestText))
+      .add("energy_ratio", energyJson(summary))
+      .addNumberOrNull("error_deg", summary.errorDeg)
+      .addNumberOrNull("visible_from_s", summary.visibleFrom)
+      .addNumberOrNull("diverged_at_s", summary.divergedAt)
+      .addBool("judged", summary.isJudged)
+      .addBool("met", summary.met())
+      .add("expectations", jsonArrayOf(summary.expectations, expectationJson))
+      .add("notes", jsonArrayOf(notes, jsonString))
+      .text();
+}
+
+}  // namespace
+
+std::string distanceText(const MotionSummary& summary) {
+  if (!summary.errorDeg) return "the exact motion itself, in closed form";
+  const double farthest = *summary.errorDeg;
+  if (farthest < 1) {
+    const std::string bound = roundedUp(farthest, 1);
+    return "within " + bound + (bound == "1" ? " degree" : " degrees") + " of the exact motion";
+  }
+  const std::string text =
+      "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) + " degrees from the exact motion";
+  if (!summary.visibleFrom) return text;
+  return text + "; more than " + shortestText(timeline::kVisibleErrorDeg) + " from " +
+         secondsText(*summary.visibleFrom) + " s on";
+}
+
+std::string energyText(const MotionSummary& summary) {
+  const double lowest = summary.lowestEnergy, highest = summary.highestEnergy;
+  const double change = std::max(1 - lowest, highest - 1);
+  if (change == 0) return "energy kept exactly";
+  if (change < kVisibleChange) return "energy kept to " + roundedUp(change, 1);
+  return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
+}
+
+namespace {
+
+/// Prints all notes, or the first of a grid's, as the others are much the same.
+void printNotes(const scene::Scene& scene, const std::vector<std::string>& notes,
+                std::ostream& out) {
+  constexpr std::size_t kMaxOfGrid = 3;
+  const std::size_t shown = scene.grid ? std::min(notes.size(), kMaxOfGrid) : notes.size();
+  for (std::size_t i = 0; i < shown; ++i) out << "note: " + notes[i] + '\n';
+  if (shown == notes.size()) return;
+  out << "note: " + scene.name + ": " + std::to_string(notes.size() - shown) +
+             " more notes on other books of the grid; --json has all\n";
+}
+
+}  // namespace
+
+void reportNotes(const scene::Scene& scene, std::ostream& out) {
+  reportNotes(scene, timeline::notesOn(scene), out);
+}
+
+void reportNotes(const scene::Scene& scene, std::vector<std::string> notes, std::ostream& out) {
+  for (std::string& note : notes) note = scene.name + ": " + note;
+  printNotes(scene, notes, out);
+}
+
+void reportNotes(const scene::Scene& scene, const std::vector<MotionSummary>& motions,
+                 std::ostream& out) {
+  std::vector<std::string> notes;
+  for (const MotionSummary& summary : motions) {
+    for (const std::string& note : summary.notes) {
+      notes.push_back(joined({scene.name, summary.motion.label}) + ": " + note);
+    }
+  }
+  printNotes(scene, notes, out);
+}
+
+namespace {
+
+/// Prints a line about the motions of a grid, and what is expected of some.
+void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
+  const auto flipsOf = [](const MotionSummary& summary) { return summary.flips.size(); };
+  const auto [fewest, most] = std::ranges::minmax(motions, {}, flipsOf);
+  const auto diverged = std::ranges::count_if(
+      motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
+  out << "  " << motions.size() << " motions: " << fewest.flips.size() << " to "
+      << flipsText(most.flips.size()) << "; "
+      << (diverged > 0 ? std::to_string(diverged) : std::string("none")) << " diverged\n";
+  for (const MotionSummary& summary : motions) {
+    if (summary.expectations.empty()) continue;
+    out << "  " << summary.motion.label << ":\n";
+    reportExpectations(summary, out);
+  }
+}
+
+}  // namespace
+
+void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out) {
+  constexpr std::size_t kMaxListed = 6;
+  if (!motions.empty() && !motions.front().isJudged) {
+    out << "  expectations are left out (--no-expect)\n";
+  }
+  if (motions.size() > kMaxListed) return reportGrid(motions, out);
+  for (const MotionSummary& summary : motions) {
+    if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
+    out << "  " << flipsText(summary) << "; " << energyText(summary) << "; "
+        << distanceText(summary) << '\n';
+    reportExpectations(summary, out);
+  }
+}
+
+std::string motionsJson(const std::vector<MotionSummary>& motions) {
+  return jsonArrayOf(motions, motionJson);
+}
+
+void reportSimulationAsJson(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
+                            const std::vector<MotionSummary>& motions, std::ostream& out) {
+  std::vector<std::string> written;
+  for (const WrittenTable& table : tables) {
+    written.push_back(JsonObject()
+                          .addString("path", table.path.string())
+                          .addInteger("rows", static_cast<std::int64_t>(table.rows))
+                          .text());
+  }
+  out << JsonObject()
+             .addString("name", scene.name)
+             .addString("title", scene.title)
+             .add("tables", jsonArray(written))
+             .add("motions", motionsJson(motions))
+             .text()
+      << '\n';
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,176 @@
+#include "cli/render_report.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "cli/motion_report.h"
+#include "store/other_settings.h"
+#include "system/machine.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the number of threads of all encoders.
+int encoderThreads(const scene::Scene& scene, const pipeline::RenderOptions& options) {
+  int threads = 0;
+  for (const video::VideoFormat format : formatsOf(options.outputs)) {
+    threads += rowOf(format).usesThreads ? scene.video.threads : 1;
+  }
+  return threads;
+}
+
+/// Returns the videos, tables and poster that a render left, or an earlier run if it was done.
+std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
+                              const pipeline::RenderOptions& options) {
+  std::vector<fs::path> files;
+  for (const video::VideoFormat format : formatsOf(options.outputs)) {
+    if (result.framesWritten == 0 && !result.wasDone) break;
+    files.push_back(result.interrupted ? result.files.partialVideo(format)
+                                       : result.files.video(format));
+  }
+  if (result.interrupted) return files;
+  files.insert(files.end(), result.csvs.begin(), result.csvs.end());
+  if (!options.isPart()) files.push_back(result.files.poster);
+  return files;
+}
+
+/// Returns the folder of the PNGs, with a slash at its end; empty if there are none.
+std::string frameFolder(const pipeline::RenderResult& result,
+                        const pipeline::RenderOptions& options) {
+  if (!hasPng(options.outputs) || (result.framesWritten == 0 && !result.wasDone)) return "";
+  const bool isNew = result.interrupted && !options.isPart();
+  return (isNew ? result.files.partialFrameFolder : result.files.frameFolder).string() + '/';
+}
+
+std::string writtenText(const pipeline::RenderResult& result,
+                        const pipeline::RenderOptions& options) {
+  std::vector<std::string> items;
+  for (const fs::path& file : filesOf(result, options)) items.push_back(file.string());
+  if (const std::string folder = frameFolder(result, options); !folder.empty()) {
+    items.push_back(store::framesText(result.framesWritten) + " in " + folder);
+  }
+  return listed(items);
+}
+
+/// Notes what became of the outputs `items` of other settings; of those with unknown ones, the
+/// items say so themselves. `start` begins each line: "note: tiny: kept ".
+void noteOtherSettings(const std::string& start, std::vector<std::string> items,
+                       std::ostream& out) {
+  const auto isKnown = [](const std::string& item) {
+    return !item.ends_with(store::kUnknownSettings);
+  };
+  const auto unknown = std::stable_partition(items.begin(), items.end(), isKnown);
+  const std::vector<std::string> known(items.begin(), unknown);
+  const std::vector<std::string> others(unknown, items.end());
+  if (!known.empty()) out << start + oneLine(listed(known)) + ", made with other settings\n";
+  if (!others.empty()) out << start + oneLine(listed(others)) + '\n';
+}
+
+void addResult(const pipeline::RenderResult& result, const pipeline::RenderOptions& options,
+               JsonObject& object) {
+  object.addInteger("frames_written", result.framesWritten)
+      .addInteger("frames_kept", result.framesKept)
+      .add("files", jsonArrayOf(filesOf(result, options),
+                                [](const fs::path& file) { return jsonString(file.string()); }))
+      .addStringOrNull("frame_folder", frameFolder(result, options))
+      .add("replaced", jsonArrayOf(result.replaced, jsonString))
+      .add("kept_of_other_settings", jsonArrayOf(result.others, jsonString))
+      .addStringOrNull("note", result.remainder);
+}
+
+std::string sceneJson(const RenderedScene& rendered, const pipeline::RenderOptions& options) {
+  const scene::Scene& scene = rendered.scene;
+  const pipeline::RenderStart start = rendered.start.value_or(pipeline::RenderStart{});
+  JsonObject object;
+  object.addString("name", scene.name)
+      .addString("title", scene.title)
+      .addInteger("width", scene.clip.width)
+      .addInteger("height", scene.clip.height)
+      .addNumber("frames_per_second",
+                 1.0 * scene.clip.frameRate.numerator / scene.clip.frameRate.denominator)
+      .addNumber("duration_s", scene.clip.duration)
+      .addStringOrNull("renderer", start.renderer)
+      .addStringOrNull("encoders", start.encoders)
+      .addBool("already_done", rendered.result && rendered.result->wasDone)
+      .addBool("interrupted", rendered.interrupted)
+      .addStringOrNull("error", rendered.error);
+  pipeline::RenderResult none;
+  none.interrupted = true;
+  addResult(rendered.result.value_or(none), options, object);
+  return object.add("motions", motionsJson(rendered.motions)).text();
+}
+
+}  // namespace
+
+void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& options,
+                 std::ostream& out) {
+  const scene::Scene& scene = rendered.scene;
+  const pipeline::RenderStart& start = *rendered.start;
+  out << scene.name << ": " << scene.title << '\n'
+      << "  " << sizeText(scene.clip.width, scene.clip.height) << " at "
+      << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
+      << " s; renderer " << start.renderer
+      << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
+      << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
+  if (start.pngThreads > 0) {
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress")
+        << " PNGs";
+  }
+  const int encoders = encoderThreads(scene, options);
+  if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
+  out << "; cores: " << system::coreCount() << std::endl;
+}
+
+void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& options,
+                  std::ostream& out) {
+  const std::string& name = rendered.scene.name;
+  if (!rendered.result) {
+    out << name << ": interrupted while simulating; nothing was written" << std::endl;
+    return;
+  }
+  const pipeline::RenderResult& result = *rendered.result;
+  if (result.wasDone) out << name << ": already done" << std::endl;
+  if (options.part && result.framesWritten == 0 && !result.interrupted) {
+    out << name << ": this part has no frames; nothing was written" << std::endl;
+    return;
+  }
+  if (result.framesKept > 0) {
+    out << "  kept " << store::framesText(result.framesKept) << " of an earlier run" << std::endl;
+  }
+  if (result.interrupted && result.framesWritten == 0) {
+    out << "  interrupted before the first frame; nothing was written" << std::endl;
+    return;
+  }
+  if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
+  if (!result.interrupted) return reportMotions(rendered.motions, out);
+  out << "  interrupted after " << store::framesText(result.framesWritten)
+      << (hasPng(options.outputs) ? "; go on with the same command and --resume" : "") << std::endl;
+}
+
+void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
+  if (!rendered.result) return;
+  const pipeline::RenderResult& result = *rendered.result;
+  const std::string start = "note: " + rendered.scene.name + ": ";
+  noteOtherSettings(start + "replaced ", result.replaced, out);
+  noteOtherSettings(start + "kept ", result.others, out);
+  if (!result.remainder.empty()) out << start + result.remainder + '\n';
+  if (!result.interrupted) reportNotes(rendered.scene, rendered.motions, out);
+}
+
+void reportRendersAsJson(const std::vector<RenderedScene>& scenes,
+                         const pipeline::RenderOptions& options, bool interrupted,
+                         std::ostream& out) {
+  const auto asJson = [&](const RenderedScene& one) { return sceneJson(one, options); };
+  out << JsonObject()
+             .addBool("interrupted", interrupted)
+             .add("scenes", jsonArrayOf(scenes, asJson))
+             .text()
+      << '\n';
+}
+
+}  // namespace rotatebook::cli

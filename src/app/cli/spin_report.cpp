@@ -1,0 +1,224 @@
+#include "cli/spin_report.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "scene/names.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using rigid::Regime;
+using std::numbers::pi;
+using timeline::EqualMoments;
+using timeline::Spin;
+using timeline::SpinPeriod;
+
+/// Names of the axes, and of their moments, in the order of Spin::axes.
+constexpr std::array<std::string_view, 3> kMoments{"smallest", "middle", "largest"};
+constexpr std::array<std::string_view, 3> kAxes{
+    "the axis of the smallest moment", "the middle axis", "the axis of the largest moment"};
+
+std::string text(double value) {
+  return roundedText(value, 4);
+}
+
+std::string degrees(double angle) {
+  return text(angle * 180 / pi);
+}
+
+/// Returns "x", or "(0.8, 0.6, 0)" for an axis that isn't one of the book's.
+std::string axisText(const Spin& spin, std::size_t axis) {
+  const Eigen::Vector3d& along = spin.axes[axis];
+  for (int i = 0; i < 3; ++i) {
+    if (std::fabs(along[i]) == 1) return {"xyz"[i]};
+  }
+  return "(" + joinedOf(std::array{along.x(), along.y(), along.z()}, text) + ")";
+}
+
+std::size_t circledAxis(const Spin& spin) {
+  return spin.regime == Regime::AboutLargest ? 2 : 0;
+}
+
+std::string spinText(const Spin& spin) {
+  const double speed = spin.angularVelocity.norm();
+  std::string line = text(speed) + " rad/s (" + text(speed / (2 * pi)) + " turns a second)";
+  if (spin.equal == EqualMoments::All) return line;
+  return line + ", " + degrees(spin.offAxis) + " degrees from " + axisText(spin, spin.spunAxis) +
+         (spin.equal == EqualMoments::None ? ", " + std::string(kAxes[spin.spunAxis]) : "");
+}
+
+std::string stabilityText(const Spin& spin) {
+  if (spin.growth) {
+    return "unstable: small deviations grow as e^(" + text(*spin.growth) + " t), tenfold in " +
+           text(std::numbers::ln10 / *spin.growth) + " s";
+  }
+  return "stable: small deviations circle the axis at " + text(*spin.oscillation) +
+         " rad/s, once in " + text(2 * pi / *spin.oscillation) + " s";
+}
+
+std::string turnText(const SpinPeriod& period) {
+  return degrees(period.turn) + " degrees about L in a period, " + text(period.turn / period.time) +
+         " rad/s";
+}
+
+std::string phasesText(const SpinPeriod& period) {
+  return degrees(period.dynamicTurn) + " of these by the energy, 2 E T / |L|, " +
+         (period.geometricTurn < 0 ? "less " : "and ") + degrees(std::fabs(period.geometricTurn)) +
+         " by geometry, the solid angle that L encloses in the body";
+}
+
+std::string eulerText(const SpinNumbers& numbers) {
+  const timeline::EulerSteps& euler = *numbers.euler;
+  const std::string need =
+      euler.substeps
+          ? std::to_string(*euler.substeps) + (*euler.substeps == 1 ? " substep" : " substeps")
+          : "more than " + std::to_string(euler.tried) + " substeps";
+  return "needs " + need + ", " + (euler.substeps ? "" : "shorter than ") + text(euler.step) +
+         " s each, to keep the regime for " + text(numbers.duration) + " s";
+}
+
+/// A line of the report.
+struct Line {
+  std::string_view label;
+  std::string content;
+};
+
+std::vector<Line> linesOn(const SpinNumbers& numbers) {
+  const Spin& spin = numbers.spin;
+  std::vector<Line> lines{{"spin", spinText(spin)}};
+  if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(spin)});
+  if (spin.period) {
+    const std::string circled = axisText(spin, circledAxis(spin));
+    lines.push_back({"regime", "the angular momentum L circles " + circled + ", " +
+                                   std::string(kAxes[circledAxis(spin)])});
+    if (const auto flips = spin.flipInterval()) {
+      lines.push_back(
+          {"flips", (spin.firstFlip ? "first at " + text(*spin.firstFlip) + " s, then " : "") +
+                        "every " + text(*flips) + " s"});
+    }
+    lines.push_back(
+        {"period", text(spin.period->time) + " s, of the angular velocity in the body"});
+    lines.push_back({"turn", turnText(*spin.period)});
+    lines.push_back({"phases", phasesText(*spin.period)});
+    lines.push_back({"precession", circled + " goes about L at " +
+                                       text(spin.period->axisTurn / spin.period->time) + " rad/s"});
+  }
+  if (spin.margin) {
+    lines.push_back({"separatrix", degrees(*spin.toSeparatrix) +
+                                       " degrees away; L^2 / (2 E I2) - 1 is " +
+                                       text(*spin.margin)});
+  }
+  if (numbers.euler) lines.push_back({"Euler", eulerText(numbers)});
+  return lines;
+}
+
+std::string equalText(EqualMoments equal) {
+  constexpr std::array<const char*, 4> kTexts{"none", "two smallest", "two largest", "all"};
+  return kTexts[static_cast<std::size_t>(equal)];
+}
+
+std::string eulerJson(const std::optional<timeline::EulerSteps>& euler) {
+  if (!euler) return "null";
+  JsonObject object;
+  euler->substeps ? object.addInteger("substeps", *euler->substeps)
+                  : object.add("substeps", "null");
+  return object.addInteger("tried", euler->tried).addNumber("h_s", euler->step).text();
+}
+
+void addPeriod(const Spin& spin, JsonObject& object) {
+  const auto number = [&](double SpinPeriod::*member) {
+    return spin.period ? std::optional((*spin.period).*member) : std::nullopt;
+  };
+  object.addNumberOrNull("period_s", number(&SpinPeriod::time))
+      .addNumberOrNull("turn_rad", number(&SpinPeriod::turn))
+      .addNumberOrNull("dynamic_turn_rad", number(&SpinPeriod::dynamicTurn))
+      .addNumberOrNull("geometric_turn_rad", number(&SpinPeriod::geometricTurn))
+      .addNumberOrNull("axis_turn_rad", number(&SpinPeriod::axisTurn));
+}
+
+}  // namespace
+
+std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene) {
+  const std::int64_t frames = scene.clip.frameCount();
+  std::vector<SpinNumbers> all;
+  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+    all.push_back({motion, timeline::spinOf(motion), timeline::eulerStepsFor(motion, frames),
+                   timeAt(scene, static_cast<double>(frames - 1))});
+  }
+  return all;
+}
+
+std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
+  const Spin& spin = numbers.spin;
+  std::vector<std::string> remarks;
+  if (spin.equal == EqualMoments::All) {
+    remarks.emplace_back("all moments are equal: it turns steadily about any axis");
+  } else if (spin.isSteady) {
+    const bool couldTumble = spin.growth && numbers.motion.nudges.empty();
+    remarks.emplace_back("the spin is exactly about a principal axis: it turns steadily" +
+                         std::string(couldTumble ? ", as nothing starts the tumbling" : ""));
+  } else if (!spin.period) {
+    remarks.emplace_back(
+        "the spin is exactly on the separatrix: it turns over once at most, and has no period");
+  }
+  if (spin.equal == EqualMoments::TwoSmallest || spin.equal == EqualMoments::TwoLargest) {
+    remarks.emplace_back(
+        "two moments are equal: no axis is unstable, nothing flips, and there is no separatrix");
+  }
+  if (!numbers.motion.nudges.empty()) {
+    remarks.push_back("the numbers are those before the first nudge, at " +
+                      text(numbers.motion.nudges.front().at) + " s");
+  }
+  if (numbers.motion.simulation.model == physics::Model::Particles) {
+    const bool areCorners =
+        numbers.motion.simulation.particles.arrangement == physics::Arrangement::Corners;
+    remarks.push_back("the numbers are those of a rigid body with the " +
+                      std::string(areCorners
+                                      ? "eight particles' moments, three times the solid book's"
+                                      : "particles' moments") +
+                      "; springs and damping change the motion");
+  }
+  return remarks;
+}
+
+void reportSpin(const SpinNumbers& numbers, std::ostream& out) {
+  constexpr std::size_t kLabelWidth = 12;
+  for (const auto& [name, content] : linesOn(numbers))
+    out << "  " << name << std::string(kLabelWidth - name.size(), ' ') << content << '\n';
+  for (const std::string& remark : remarksOn(numbers)) out << "  " << remark << '\n';
+}
+
+std::string spinJson(const SpinNumbers& numbers) {
+  const Spin& spin = numbers.spin;
+  JsonObject object;
+  object.addStringOrNull("label", numbers.motion.label)
+      .addString("model", nameOf(scene::kModels, numbers.motion.simulation.model))
+      .add("moments_kg_m2", jsonArrayOf(spin.moments, shortestText))
+      .add("axes", jsonArrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); }))
+      .addString("equal_moments", equalText(spin.equal))
+      .add("angular_velocity_rad_per_s", vectorJson(spin.angularVelocity))
+      .add("angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum))
+      .addNumber("energy_j", spin.energy)
+      .addString("spun_axis", kMoments[spin.spunAxis])
+      .addNumber("off_axis_rad", spin.offAxis)
+      .addBool("steady", spin.isSteady)
+      .addInteger("regime", static_cast<int>(spin.regime))
+      .addNumberOrNull("growth_per_s", spin.growth)
+      .addNumberOrNull("oscillation_rad_per_s", spin.oscillation)
+      .addNumberOrNull("first_flip_s", spin.firstFlip)
+      .addNumberOrNull("flip_interval_s", spin.flipInterval());
+  addPeriod(spin, object);
+  return object.addNumberOrNull("margin", spin.margin)
+      .addNumberOrNull("to_separatrix_rad", spin.toSeparatrix)
+      .add("euler", eulerJson(numbers.euler))
+      .add("remarks", jsonArrayOf(remarksOn(numbers), jsonString))
+      .text();
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,263 @@
+#include "cli/verdict_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "timeline/motion_summary.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using timeline::Verdict;
+
+std::string shortNumber(double value) {
+  return roundedText(value, 4);
+}
+
+/// Returns "+47.5 %".
+std::string percentText(double drift) {
+  return (drift > 0 ? "+" : "") + roundedText(100 * drift, 3) + " %";
+}
+
+std::string_view regimeText(rigid::Regime regime) {
+  switch (regime) {
+    case rigid::Regime::AboutSmallest:
+      return "the axis of the smallest moment";
+    case rigid::Regime::AboutLargest:
+      return "the axis of the largest moment";
+    case rigid::Regime::Separatrix:
+      break;
+  }
+  return "no axis";
+}
+
+std::string percentOf(double part) {
+  return roundedText(100 * part, 2) + " %";
+}
+
+/// Returns "energy +47.5 % at most, +3 % at the end".
+std::string driftText(const char* name, double largest, double end) {
+  return std::string(name) + " " + percentText(largest) + " at most, " + percentText(end) +
+         " at the end";
+}
+
+BoundResult bounded(const char* name, double measured, double bound) {
+  const bool met = std::fabs(measured) <= bound;
+  return {name, "at most " + shortestText(bound) + "; measured " + shortNumber(measured), met};
+}
+
+/// Returns `text` for XML: its marks as entities, control characters as blanks.
+std::string escapedXml(std::string_view text) {
+  std::string result;
+  for (const char letter : validUtf8(text)) {
+    switch (letter) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    }
+  }
+  return result;
+}
+
+std::string caseText(const std::string& motion, const BoundResult& one) {
+  const std::string head = "    <testcase classname=\"" + escapedXml(motion) + "\" name=\"" +
+                           escapedXml(one.name) + "\"";
+  if (one.met) return head + "/>\n";
+  return head + ">\n      <failure message=\"" + escapedXml(one.text) + "\"/>\n    </testcase>\n";
+}
+
+std::string regimesText(const Verdict& verdict) {
+  const std::string start(regimeText(verdict.start)), end(regimeText(verdict.end));
+  return "the angular momentum circles " +
+         (start == end ? start : start + " at first, " + end + " at the end");
+}
+
+/// Returns "given", "slopes" or "gyroscope".
+std::string_view sourceText(recording::SpinSource source) {
+  switch (source) {
+    case recording::SpinSource::Given:
+      return "given";
+    case recording::SpinSource::Slopes:
+      return "slopes";
+    case recording::SpinSource::Gyroscope:
+      return "gyroscope";
+  }
+  return "";
+}
+
+/// Returns a line on the angular velocities where they aren't exact; empty where they are.
+std::string spinsLine(const Verdict& verdict) {
+  constexpr double kShown = 0.01, kNoise = 1e-4;
+  std::vector<std::string> parts;
+  if (verdict.spins.source == recording::SpinSource::Slopes) {
+    parts.push_back("the angular velocities are slopes of the attitudes alone, good to " +
+                    percentOf(verdict.spins.uncertainty));
+  }
+  const bool isSaid = verdict.errs == timeline::Errs::RatesAreOff;
+  if (!isSaid && (verdict.spins.fit.isOff() || verdict.spins.difference > kShown))
+    parts.push_back("the angular velocities " + timeline::ratesText(verdict.spins));
+  if (verdict.scatter > kNoise) parts.push_back("noise of " + percentOf(verdict.scatter));
+  if (verdict.fittedBy)
+    parts.push_back("the start is fitted, its spin changed by " + percentOf(*verdict.fittedBy));
+  return parts.empty() ? "" : "  " + joined(parts, "; ") + '\n';
+}
+
+std::string boundJson(const BoundResult& one) {
+  return JsonObject()
+      .addString("name", one.name)
+      .addString("text", one.text)
+      .addBool("met", one.met)
+      .text();
+}
+
+std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds) {
+  const Verdict& verdict = motion.verdict;
+  if (!motion.mistake.empty()) {
+    return JsonObject()
+        .addString("name", motion.name)
+        .addString("mistake", motion.mistake)
+        .add("notes", jsonArrayOf(motion.notes, jsonString))
+        .add("bounds", "[]")
+        .text();
+  }
+  return JsonObject()
+      .addString("name", motion.name)
+      .addInteger("samples", static_cast<std::int64_t>(verdict.samples))
+      .addNumber("duration_s", verdict.duration)
+      .addNumber("error_deg", verdict.errorDeg)
+      .addNumber("end_error_deg", verdict.endErrorDeg)
+      .addNumberOrNull("visible_from_s", verdict.visibleFrom)
+      .addNumber("energy_drift", verdict.energyDrift)
+      .addNumber("end_energy_drift", verdict.endEnergyDrift)
+      .addNumber("L_drift", verdict.momentumDrift)
+      .addNumber("end_L_drift", verdict.endMomentumDrift)
+      .addNumber("L_turn_deg", verdict.momentumTurnDeg)
+      .addInteger("half_turns", verdict.halfTurns)
+      .addInteger("half_turns_due", verdict.halfTurnsDue)
+      .addInteger("regime", static_cast<int>(verdict.start))
+      .addInteger("end_regime", static_cast<int>(verdict.end))
+      .addString("method", timeline::methodThat(verdict))
+      .addString("spins", std::string(sourceText(verdict.spins.source)))
+      .addNumber("spin_uncertainty", verdict.spins.uncertainty)
+      .addNumber("rates_difference", verdict.spins.difference)
+      .addNumber("rates_factor", verdict.spins.fit.factor)
+      .add("rates_bias", vectorJson(verdict.spins.fit.bias))
+      .add("rates_turn_deg", vectorJson(verdict.spins.fit.turn * (180 / std::numbers::pi)))
+      .addNumber("scatter", verdict.scatter)
+      .addNumberOrNull("start_fitted_by", verdict.fittedBy)
+      .add("flaws", jsonArrayOf(verdict.flaws, jsonString))
+      .add("notes", jsonArrayOf(motion.notes, jsonString))
+      .add("bounds", jsonArrayOf(resultsOf(verdict, bounds), boundJson))
+      .text();
+}
+
+}  // namespace
+
+JudgedMotion judgedMotion(const std::string& name, const physics::MotionSettings& motion,
+                          const physics::Trajectory& trajectory) {
+  JudgedMotion judged{.name = name, .verdict = timeline::judge(motion, trajectory)};
+  if (!timeline::isJudged(judged.verdict)) judged.mistake = timeline::methodThat(judged.verdict);
+  const auto& recorded = motion.simulation.recorded.motion;
+  if (motion.simulation.model == physics::Model::Recorded) judged.notes = recorded->notes();
+  return judged;
+}
+
+std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& bounds) {
+  std::vector<BoundResult> results;
+  if (bounds.errorDeg) {
+    results.push_back(bounded("error_deg", verdict.errorDeg, *bounds.errorDeg));
+  }
+  if (bounds.energyDrift) {
+    results.push_back(bounded("energy_drift", verdict.energyDrift, *bounds.energyDrift));
+  }
+  if (bounds.momentumDrift) {
+    results.push_back(bounded("L_drift", verdict.momentumDrift, *bounds.momentumDrift));
+  }
+  if (bounds.halfTurns) {
+    results.push_back({"half_turns",
+                       std::to_string(verdict.halfTurnsDue) + " due; measured " +
+                           std::to_string(verdict.halfTurns),
+                       verdict.halfTurns == verdict.halfTurnsDue});
+  }
+  return results;
+}
+
+bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
+  return std::ranges::all_of(motions, [&](const JudgedMotion& motion) {
+    const std::vector<BoundResult> results = resultsOf(motion.verdict, bounds);
+    if (!motion.mistake.empty()) return false;
+    return std::ranges::all_of(results, [](const BoundResult& one) { return one.met; });
+  });
+}
+
+void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                    std::ostream& out) {
+  for (const auto& [name, verdict, mistake, notes] : motions) {
+    if (!mistake.empty()) {
+      out << oneLine(name) << ": not judged: " << mistake << '\n';
+      continue;
+    }
+    const std::string visible = verdict.visibleFrom
+                                    ? ", more than " + shortNumber(timeline::kVisibleErrorDeg) +
+                                          " from " + shortNumber(*verdict.visibleFrom) + " s on"
+                                    : "";
+    out << oneLine(name) << ": " << timeline::methodThat(verdict) << "\n  error "
+        << shortNumber(verdict.endErrorDeg) << " degrees after " << shortNumber(verdict.duration)
+        << " s, at most " << shortNumber(verdict.errorDeg) << visible << "\n  "
+        << driftText("energy", verdict.energyDrift, verdict.endEnergyDrift) << "; "
+        << driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift)
+        << "; L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n"
+        << spinsLine(verdict) << "  " << verdict.halfTurns << " of " << verdict.halfTurnsDue
+        << " flips; " << regimesText(verdict) << '\n';
+    for (const BoundResult& one : resultsOf(verdict, bounds)) {
+      out << (one.met ? "  met      " : "  not met  ") << one.name << ": expected " << one.text
+          << '\n';
+    }
+  }
+}
+
+void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                          std::ostream& out) {
+  out << JsonObject()
+             .addBool("met", allMet(motions, bounds))
+             .add("motions",
+                  jsonArrayOf(motions, [&](const auto& one) { return verdictJson(one, bounds); }))
+             .text()
+      << '\n';
+}
+
+std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
+  std::string text(kJunitBeginning);
+  for (const auto& [name, verdict, mistake, notes] : motions) {
+    std::vector<BoundResult> results = resultsOf(verdict, bounds);
+    if (!mistake.empty()) results = {{"recording", mistake, false}};
+    if (results.empty()) results.push_back({"judged", "", true});
+    const auto failures =
+        std::ranges::count_if(results, [](const BoundResult& one) { return !one.met; });
+    text += "  <testsuite name=\"" + escapedXml(name) + "\" tests=\"" +
+            std::to_string(results.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";
+    for (const BoundResult& one : results) text += caseText(name, one);
+    text += "    <system-out>" +
+            escapedXml(mistake.empty() ? timeline::methodThat(verdict) : "isn't judged") +
+            "</system-out>\n  </testsuite>\n";
+  }
+  return text + "</testsuites>\n";
+}
+
+}  // namespace rotatebook::cli

@@ -40,8 +40,8 @@ void refuseInputs(const std::filesystem::path& output, const std::vector<Input>&
 void requireEnding(const std::filesystem::path& output, const std::string& ending,
                    const std::string& option = "-o");
 
-/// Throws InputError if a command that draws the single picture `output` reads it, if it isn't named
-/// .png, or if it belongs to a clip, a map or a study.
+/// Throws InputError if a command that draws the single picture `output` reads it, if it isn't
+/// named .png, or if it belongs to a clip, a map or a study.
 void requirePictureOutput(const std::filesystem::path& output, const std::vector<Input>& inputs);
 
 /// Throws InputError if there is something at `path`.

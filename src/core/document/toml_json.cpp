@@ -29,7 +29,6 @@ struct JsonOf {
   }
   std::string operator()(const std::string& value) const { return jsonString(value); }
   std::string operator()(TomlDate) const { return "null"; }
-  std::string operator()(const std::shared_ptr<const Attachment>&) const { return "null"; }
   std::string operator()(const TomlNode::Array& value) const { return jsonArrayOf(value, jsonOf); }
   std::string operator()(const TomlNode::Table& value) const { return jsonOfTable(value); }
 };

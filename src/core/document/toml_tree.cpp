@@ -169,7 +169,6 @@ std::string tomlText(const TomlNode& node) {
     std::string operator()(double value) const { return tomlNumber(value); }
     std::string operator()(const std::string& value) const { return tomlString(value); }
     std::string operator()(const TomlDate&) const { return ""; }
-    std::string operator()(const std::shared_ptr<const Attachment>&) const { return ""; }
     std::string operator()(const TomlNode::Array& array) const {
       return "[" + joinedOf(array, tomlText) + "]";
     }
@@ -208,7 +207,6 @@ std::string describe(const TomlNode& node) {
     std::string operator()(const TomlDate&) const { return "a date or time"; }
     std::string operator()(const TomlNode::Array& array) const { return describeArray(array); }
     std::string operator()(const TomlNode::Table&) const { return "a table"; }
-    std::string operator()(const std::shared_ptr<const Attachment>&) const { return "a file"; }
   };
   return std::visit(Describer{}, node.value);
 }

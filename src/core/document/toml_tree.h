@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,20 +16,12 @@ struct TomlEntry;
 /// A date or a time. No key of a scene takes one, so its value isn't kept.
 struct TomlDate {};
 
-/// The content of a file that the document names, in a value that the program puts into the tree.
-/// It has no text.
-struct Attachment {
-  virtual ~Attachment() = default;
-};
-
 /// A value and its location.
 struct TomlNode {
   using Array = std::vector<TomlNode>;
   using Table = std::vector<TomlEntry>;  ///< In the order of the text.
 
-  std::variant<bool, std::int64_t, double, std::string, TomlDate, Array, Table,
-               std::shared_ptr<const Attachment>>
-      value;
+  std::variant<bool, std::int64_t, double, std::string, TomlDate, Array, Table> value;
   std::string location;  ///< "FILE:LINE:COLUMN", or "--set KEY=VALUE".
 };
 
@@ -60,7 +51,7 @@ TomlEntry* find(TomlNode::Table& table, std::string_view key);
 const TomlEntry* find(const TomlNode::Table& table, std::string_view key);
 
 /// Returns a value as TOML on one line, with tables inline; it reads back to the same value. Dates
-/// and attachments have no text.
+/// have no text.
 std::string tomlText(const TomlNode& node);
 
 /// Returns a whole document as TOML, a section for each table and each table of an array, after all

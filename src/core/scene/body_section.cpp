@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -101,40 +100,21 @@ std::vector<KeyRow> bodyRows() {
   return rows;
 }
 
-TomlNode numbersNode(const Eigen::Vector3d& vector, const std::string& location) {
-  TomlNode::Array numbers;
-  for (const double number : vector) numbers.push_back({number, location});
-  return {std::move(numbers), location};
-}
-
-/// Returns the numbers of a mesh, and its surface, as the table that its key is read from.
-TomlNode tableOf(const std::string& name, body::ClosedMesh surface, const std::string& location) {
-  const MeshFile mesh = meshFileOf(name, surface.mesh);
-  const auto& inertia = mesh.inertia;
-  return {TomlNode::Table{
-              {"file", location, {mesh.name, location}},
-              {"volume", location, {mesh.volume, location}},
-              {"size", location, numbersNode(mesh.size, location)},
-              {"moments", location, numbersNode(inertia.diagonal(), location)},
-              {"products", location,
-               numbersNode({inertia(0, 1), inertia(1, 2), inertia(2, 0)}, location)},
-              {"surface",
-               location,
-               {std::make_shared<const AttachedMesh>(std::move(surface)), location}},
-          },
-          location};
-}
-
 TomlNode* nodeAt(TomlNode* node, std::string_view key) {
   auto* table = node != nullptr ? std::get_if<TomlNode::Table>(&node->value) : nullptr;
   auto* entry = table != nullptr ? find(*table, key) : nullptr;
   return entry != nullptr ? &entry->node : nullptr;
 }
 
-/// The tables of meshes that have been read, by their files' names: each file is read once.
-using MeshTables = std::map<std::string, TomlNode>;
+MeshFile readMeshFile(const std::string& name, const ReadNamedFile& readNamedFile) {
+  body::ClosedMesh surface = body::readMesh(name, readNamedFile(name, kLongestMesh));
+  MeshFile file = meshFileOf(name, surface.mesh);
+  file.surface = std::make_shared<const body::ClosedMesh>(std::move(surface));
+  return file;
+}
 
-void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshTables& known) {
+/// Reads each file once, into `known`.
+void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshFiles& known) {
   TomlNode* node = nodeAt(nodeAt(&root, "body"), "mesh");
   // A record of a clip has the numbers already
   if (node == nullptr || std::holds_alternative<TomlNode::Table>(node->value)) return;
@@ -152,13 +132,12 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshTables&
   const auto [mesh, isNew] = known.try_emplace(*name);
   if (isNew) {
     try {
-      mesh->second =
-          tableOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh)), node->location);
+      mesh->second = readMeshFile(*name, readNamedFile);
     } catch (const InputError& error) {
       document::failAt(node->location, shown + ": " + error.what());
     }
   }
-  node->value = mesh->second.value;
+  *node = *document::parseTomlValue(meshText(mesh->second), node->location);
 }
 
 }  // namespace
@@ -167,13 +146,25 @@ Section<Motion> bodySection() {
   return {"body", readBody, bodyLines, bodyRows()};
 }
 
-void includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
-  MeshTables known;
-  includeMesh(root, readNamedFile, known);
+MeshFiles includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
+  MeshFiles files;
+  includeMesh(root, readNamedFile, files);
   TomlNode* panels = nodeAt(&root, "panel");
   auto* tables = panels != nullptr ? std::get_if<TomlNode::Array>(&panels->value) : nullptr;
-  if (tables == nullptr) return;
-  for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile, known);
+  if (tables == nullptr) return files;
+  for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile, files);
+  return files;
+}
+
+void takeSurface(const MeshFile& file, MeshFile& mesh) {
+  MeshFile same = file;
+  same.unit = mesh.unit;
+  if (same == mesh) mesh.surface = same.surface;
+}
+
+void takeSurface(const MeshFiles& files, MeshFile& mesh) {
+  const auto file = files.find(mesh.name);
+  if (file != files.end()) takeSurface(file->second, mesh);
 }
 
 }  // namespace rotatebook::scene

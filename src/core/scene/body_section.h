@@ -1,18 +1,31 @@
 // The section [body], and what follows from it. Inside the room only.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <string>
+
 #include "document/toml_tree.h"
 #include "scene/keys/section.h"
 #include "scene/scene.h"
 #include "scene/scene_text.h"
+#include "scene/solid.h"
 
 namespace rotatebook::scene {
 
 /// Returns the section. Of a body that isn't the book, size, mass and inertia follow.
 Section<Motion> bodySection();
 
+/// Files of meshes, by name.
+using MeshFiles = std::map<std::string, MeshFile, std::less<>>;
+
 /// Replaces the names of meshes in [body], also of panels, by the numbers that motions take of the
-/// files. Throws DocumentError if one can't be read, or isn't the surface of a body.
-void includeMeshes(document::TomlNode& root, const ReadNamedFile& readNamedFile);
+/// files. Returns the files. Throws DocumentError if one can't be read, or isn't the surface of a
+/// body.
+MeshFiles includeMeshes(document::TomlNode& root, const ReadNamedFile& readNamedFile);
+
+/// Gives `mesh` the surface of its file, if that has its numbers; `file` may be another.
+void takeSurface(const MeshFile& file, MeshFile& mesh);
+void takeSurface(const MeshFiles& files, MeshFile& mesh);
 
 }  // namespace rotatebook::scene

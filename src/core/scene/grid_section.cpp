@@ -105,7 +105,7 @@ void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const Val
   for (std::size_t i = 0; i < outer.count(); ++i) {
     TomlNode sections = motionPart(file);
     problems.note([&] { putAt(sections, outer, i); });
-    const VariedMotions motions(sections, scene.simulation, *inner.varied);
+    const VariedMotions motions(sections, scene, *inner.varied);
     for (std::size_t j = 0; j < inner.count(); ++j) {
       const std::size_t column = hasColumns ? j : i, row = hasColumns ? i : j;
       problems.note([&] {

@@ -127,7 +127,8 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
 }
 
 Panel readPanel(const ValueReader& panel, const ValueReader& file,
-                const physics::SimulationSettings& clock, const std::vector<Panel>& earlier) {
+                const physics::SimulationSettings& clock, const MeshFiles& meshes,
+                const std::vector<Panel>& earlier) {
   // Complete the panel's sections from the scene's
   refuseShared(panel);
   const TomlNode node = mergedPanel(panel, file);
@@ -145,6 +146,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file,
   // Check what several sections decide together
   takeClock(clock, result.simulation);
   checkPanel(panel, merged, result);
+  takeSurface(meshes, result.solid.mesh);
   placeParticles(merged, result);
   settleSpin(merged, result);
   return result;
@@ -153,7 +155,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file,
 }  // namespace
 
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              const physics::SimulationSettings& clock) {
+                              const physics::SimulationSettings& clock, const MeshFiles& meshes) {
   const auto tables = panels.tables("tables with the header [[panel]]");
   if (tables.size() < kMinPanels || tables.size() > kMaxPanels) {
     panels.fail("a scene has " + std::to_string(kMinPanels) + " to " + std::to_string(kMaxPanels) +
@@ -162,7 +164,7 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
   std::vector<Panel> result;
   document::Problems problems;
   for (const ValueReader& table : tables) {
-    problems.note([&] { result.push_back(readPanel(table, file, clock, result)); });
+    problems.note([&] { result.push_back(readPanel(table, file, clock, meshes, result)); });
   }
   problems.throwIfAny();
   return result;

@@ -48,7 +48,7 @@ Eigen::Vector3d cameraPosition(const Scene& scene) {
   return defaultCameraPosition(largest.body, angle, 1, 1);
 }
 
-void readMotions(const ValueReader& file, Scene& scene) {
+void readMotions(const ValueReader& file, const MeshFiles& meshes, Scene& scene) {
   const auto timePerFrame = file.find("simulation", "time_per_frame");
   if (timePerFrame && scene.clip.speed) {
     timePerFrame->fail(
@@ -61,7 +61,7 @@ void readMotions(const ValueReader& file, Scene& scene) {
     scene.simulation.substepped = kSubstepped;
   }
   if (const auto panels = file.find("panel")) {
-    scene.panels = readPanels(*panels, file, scene.simulation);
+    scene.panels = readPanels(*panels, file, scene.simulation, meshes);
   }
   if (const auto grid = file.find("grid")) readGrid(*grid, file, scene);
 }
@@ -106,10 +106,12 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   problems.note([&] {
     scene.wordsFile = includeTable(tree, "overlay", "words", scene.folder, readNamedFile);
   });
-  problems.note([&] { includeMeshes(tree, readNamedFile); });
+  MeshFiles meshes;
+  problems.note([&] { meshes = includeMeshes(tree, readNamedFile); });
   const ValueReader file(tree, "");
   problems.note([&] { readSections(file, scene); });
-  problems.note([&] { readMotions(file, scene); });
+  takeSurface(meshes, scene.solid.mesh);
+  problems.note([&] { readMotions(file, meshes, scene); });
   for (document::Problem& problem : problems.all()) {
     const std::string sections = sectionsOf(problem.unknownKey);
     if (!sections.empty()) problem.remedy = "; it belongs " + sections;

@@ -9,6 +9,7 @@
 
 #include "document/overrides.h"
 #include "document/value_reader.h"
+#include "scene/body_section.h"
 #include "scene/keys/section.h"
 #include "scene/names.h"
 #include "scene/scene.h"
@@ -58,9 +59,10 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings, Printe
 
 /// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
 /// is taken from the sections of `file`, the whole scene file, or else from the defaults. All
-/// panels have the timePerFrame and substepped of `clock`. Throws InputError.
+/// panels have the timePerFrame and substepped of `clock`, and surfaces of `meshes`. Throws
+/// InputError.
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              const physics::SimulationSettings& clock);
+                              const physics::SimulationSettings& clock, const MeshFiles& meshes);
 /// Takes the timePerFrame and substepped of `clock`.
 void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings);
 

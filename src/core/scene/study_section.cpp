@@ -52,7 +52,7 @@ TomlNode completed(const ValueReader& section, physics::Model model) {
 
 void addCurve(const TomlNode& sections, const VariedKey& x, const std::string& curve,
               Scene& scene) {
-  const VariedMotions motions(sections, scene.simulation, x, curve.empty() ? &scene : nullptr);
+  const VariedMotions motions(sections, scene, x, curve.empty() ? &scene : nullptr);
   document::Problems problems;
   for (const StatedValue& value : x.values) {
     problems.note([&] {

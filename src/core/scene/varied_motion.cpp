@@ -89,13 +89,13 @@ void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
   putValue(sections, key.path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
-VariedMotions::VariedMotions(const TomlNode& sections, const physics::SimulationSettings& clock,
-                             const VariedKey& key, const Motion* known)
-    : sections_(sections), clock_(clock), key_(key) {
+VariedMotions::VariedMotions(const TomlNode& sections, const Motion& scene, const VariedKey& key,
+                             const Motion* known)
+    : sections_(sections), scene_(scene), key_(key) {
   if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
   // Without a motion of its own, whatever is wrong is found with the first value
   try {
-    base_ = known != nullptr ? *known : motionFrom(sections, clock);
+    base_ = known != nullptr ? *known : motionFrom(sections, scene);
   } catch (const InputError&) {
     return;
   }
@@ -113,17 +113,18 @@ Motion VariedMotions::with(const StatedValue& value) const {
   }
   TomlNode varied = sections_;
   put(varied, key_, value);
-  return motionFrom(varied, clock_);
+  return motionFrom(varied, scene_);
 }
 
-Motion motionFrom(const TomlNode& sections, const physics::SimulationSettings& clock) {
+Motion motionFrom(const TomlNode& sections, const Motion& scene) {
   const ValueReader file(sections, "");
   Motion motion;
-  takeClock(clock, motion.simulation);
+  takeClock(scene.simulation, motion.simulation);
   std::vector<document::Field> fields;
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
+  takeSurface(scene.solid.mesh, motion.solid.mesh);
   placeParticles(file, motion);
   settleSpin(file, motion);
   return motion;

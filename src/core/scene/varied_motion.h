@@ -51,24 +51,23 @@ class VariedMotions {
  public:
   /// Takes what motionFrom() takes, without the key's values, and the key; they must outlive this.
   /// `known` is the motion of `sections` if that is at hand, or null.
-  VariedMotions(const document::TomlNode& sections, const physics::SimulationSettings& clock,
-                const VariedKey& key, const Motion* known = nullptr);
+  VariedMotions(const document::TomlNode& sections, const Motion& scene, const VariedKey& key,
+                const Motion* known = nullptr);
 
   /// Returns the motion with that value of the key. Throws InputError.
   Motion with(const StatedValue& value) const;
 
  private:
   const document::TomlNode& sections_;
-  const physics::SimulationSettings& clock_;
+  const Motion& scene_;
   const VariedKey& key_;
   /// The motion without the values, where nothing but its start follows from them: its body, and
   /// what holds its particles together, is settled once.
   std::optional<Motion> base_{};
 };
 
-/// Reads and checks a motion with the time of `clock`, as takeClock() takes it, unless
-/// `sections` state another. Throws
-/// InputError.
-Motion motionFrom(const document::TomlNode& sections, const physics::SimulationSettings& clock);
+/// Reads and checks a motion with the clock of `scene`, as takeClock() takes it, unless `sections`
+/// state another, and its mesh's surface. Throws InputError.
+Motion motionFrom(const document::TomlNode& sections, const Motion& scene);
 
 }  // namespace rotatebook::scene

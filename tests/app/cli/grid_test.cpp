@@ -105,10 +105,10 @@ TEST_F(GridCommands, RefusalsNameTheOption) {
 }
 
 TEST_F(GridCommands, ReportsExpectationsOfTheCellsThatHaveThem) {
-  const ChildResult result =
-      runWithoutGraphics({"simulate", "grid.toml", "--set", "expect={}", "--set",
-                          "clip.duration=0.2", "--set", "grid.rows.values=[1, 4, 8]", "--set",
-                          "grid.expect=[{ of = \"half_turns\", column = 0.01, row = 4, max = 0 }]"});
+  const ChildResult result = runWithoutGraphics(
+      {"simulate", "grid.toml", "--set", "expect={}", "--set", "clip.duration=0.2", "--set",
+       "grid.rows.values=[1, 4, 8]", "--set",
+       "grid.expect=[{ of = \"half_turns\", column = 0.01, row = 4, max = 0 }]"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("  9 motions: 0 to 0 flips; none diverged\n"
                                        "  tilt 0.01, substeps 4:\n"

@@ -128,9 +128,10 @@ TEST_F(StudyCommand, RefusesIntegratorsThatTheModelDoesNotHave) {
   const std::string particles = "simulation.model=particles";
   expectRefused({"--set", particles, "--integrators", "euler,verlt"},
                 "--integrators euler,verlt: " + valid + "\"verlt\"; did you mean \"verlet\"?");
-  expectRefused({"--set", particles, "--integrators", "dmv6"},
-                "--integrators dmv6: simulation.integrator = \"dmv6\", but the model \"particles\" has "
-                "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
+  expectRefused(
+      {"--set", particles, "--integrators", "dmv6"},
+      "--integrators dmv6: simulation.integrator = \"dmv6\", but the model \"particles\" has "
+      "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
   expectRefused({"--set", particles, "--integrators", "rk4,"},
                 "--integrators rk4,: study.curves.values must be a word, not "
                 "\"\"");

@@ -84,7 +84,8 @@ TEST(GlbSkeleton, IsRefusedWhereItIsBroken) {
   EXPECT_THAT(saidOfPose(other), HasSubstr("nested deeper than 100"));
   other = skinned(R"({"mesh": 0, "skin": 0}, {})");
   other.root = R"(, "skins": [{"joints": []}])";
-  EXPECT_THAT(saidOfPose(other), HasSubstr("follows joint 0 of a skin, counted from 0, but there are 0; "));
+  EXPECT_THAT(saidOfPose(other),
+              HasSubstr("follows joint 0 of a skin, counted from 0, but there are 0; "));
   other.root = R"(, "skins": [{"joints": [7]}])";
   EXPECT_THAT(saidOfPose(other), HasSubstr("nodes has no number 7"));
   other.root = R"(, "skins": [{"joints": [1, 1], "inverseBindMatrices": 4}])";

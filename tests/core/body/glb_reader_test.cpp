@@ -60,7 +60,8 @@ TEST(GlbReader, SaysWhatItCannotRead) {
   EXPECT_THAT(withChange("5126", "5124"), HasSubstr("numbers of the type 5124 aren't read"));
   EXPECT_THAT(withChange("5126", "5125"), HasSubstr("positions must be floats"));
   EXPECT_THAT(withChange("\"count\": 8", "\"count\": 9"), HasSubstr("reaches beyond"));
-  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 7"), HasSubstr("names point 7, counted from 0, but there are 7; export"));
+  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 7"),
+              HasSubstr("names point 7, counted from 0, but there are 7; export"));
   EXPECT_THAT(withChange("\"count\": 36", "\"count\": 35"), HasSubstr("has 35 corners"));
   EXPECT_THAT(withChange("\"byteLength\": 72", "\"byteLength\": 71"), HasSubstr("beyond"));
   EXPECT_THAT(withChange("\"byteLength\": 96", "\"byteLength\": 96, \"byteStride\": 4"),

@@ -132,15 +132,7 @@ const BodyPart* shapeOf(const Solid& solid) {
   return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
 }
 
-std::shared_ptr<const body::ClosedMesh> surfaceFrom(const ValueReader& value) {
-  using Attached = std::shared_ptr<const document::Attachment>;
-  const auto* attached = std::get_if<Attached>(&value.node().value);
-  const auto* file = attached ? dynamic_cast<const AttachedMesh*>(attached->get()) : nullptr;
-  if (file == nullptr) value.mismatch("the surface of a file");
-  return file->mesh;
-}
-
-/// Reads the numbers into which `includeMeshes()` turned the file, or those of meshText().
+/// Reads the numbers of meshText().
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
   MeshFile mesh;
@@ -150,13 +142,11 @@ MeshFile meshFrom(const ValueReader& value) {
   };
   constexpr const char* kName = "the name of a file that ends in .obj, .stl, .ply or .glb";
   if (std::holds_alternative<std::string>(value.node().value)) value.mismatch(kName);
-  value.readTable(
-      {{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
-       {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
-       {"size", vectorInto(mesh.size)},
-       {"moments", vectorInto(diagonal)},
-       {"products", vectorInto(others)},
-       {"surface", [&](const ValueReader& file) { mesh.surface = surfaceFrom(file); }}});
+  value.readTable({{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
+                   {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
+                   {"size", vectorInto(mesh.size)},
+                   {"moments", vectorInto(diagonal)},
+                   {"products", vectorInto(others)}});
   const bool isWhole = body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
   if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();
@@ -165,14 +155,6 @@ MeshFile meshFrom(const ValueReader& value) {
     mesh.inertia(i, j) = mesh.inertia(j, i) = others[i];
   }
   return mesh;
-}
-
-/// Returns the numbers with the name, so that a clip's record needs no file.
-std::string meshText(const MeshFile& mesh) {
-  const Eigen::Matrix3d& inertia = mesh.inertia;
-  return "{ file = " + tomlString(mesh.name) + ", volume = " + tomlNumber(mesh.volume) +
-         ", size = " + vectorText(mesh.size) + ", moments = " + vectorText(inertia.diagonal()) +
-         ", products = " + vectorText({inertia(0, 1), inertia(1, 2), inertia(2, 0)}) + " }";
 }
 
 Key<Solid> meshKey() {
@@ -244,6 +226,13 @@ const Keys<Solid>& solidKeys() {
 const std::vector<KeyRow>& partRows() {
   static const std::vector<KeyRow> rows = rowsOf("body.part.N.", partKeys());
   return rows;
+}
+
+std::string meshText(const MeshFile& mesh) {
+  const Eigen::Matrix3d& inertia = mesh.inertia;
+  return "{ file = " + tomlString(mesh.name) + ", volume = " + tomlNumber(mesh.volume) +
+         ", size = " + vectorText(mesh.size) + ", moments = " + vectorText(inertia.diagonal()) +
+         ", products = " + vectorText({inertia(0, 1), inertia(1, 2), inertia(2, 0)}) + " }";
 }
 
 void readStatedShape(const ValueReader& section, Solid& solid) {

@@ -1,30 +1,23 @@
 // The keys of [body] for what isn't the book. Inside the room only.
 #pragma once
 
-#include <memory>
-#include <utility>
+#include <string>
 #include <vector>
 
-#include "body/closed_mesh.h"
-#include "document/toml_tree.h"
 #include "scene/keys/key.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {
-
-/// The surface of a mesh's file, in the table that includeMeshes() makes of its name.
-struct AttachedMesh : document::Attachment {
-  explicit AttachedMesh(body::ClosedMesh made)
-      : mesh(std::make_shared<const body::ClosedMesh>(std::move(made))) {}
-
-  std::shared_ptr<const body::ClosedMesh> mesh;
-};
 
 /// The keys, but for the mass, which the book has, too. `shape` and `dimensions` are read together,
 /// by readStatedShape().
 const Keys<Solid>& solidKeys();
 /// The documentation of the keys of a part.
 const std::vector<KeyRow>& partRows();
+
+/// Returns the numbers of a mesh with its name, as TOML: motions, and a clip's record, take them in
+/// place of the file.
+std::string meshText(const MeshFile& mesh);
 
 /// Reads the shape that `section`, [body], names, if it isn't the book, with its lengths and
 /// density. Throws InputError.

@@ -19,15 +19,15 @@
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
 #include "cli/rerun.h"
-#include "verify/verify_clip.h"
+#include "pipeline/verify/verify_clip.h"
 
 namespace rotatebook::cli {
 namespace {
 
-using verify::ClipCheck;
-using verify::PictureCheck;
-using verify::Verdict;
-using verify::Verification;
+using pipeline::ClipCheck;
+using pipeline::PictureCheck;
+using pipeline::Verdict;
+using pipeline::Verification;
 
 constexpr int kVerdictWidth = 8;
 constexpr int kCheckWidth = 13;
@@ -47,7 +47,7 @@ std::string numberText(double value) {
 /// Returns "brightness or contrast changed by 1.1 (at most 0.4)", and whatever else is too large.
 std::string excessOf(const PictureCheck& check) {
   std::string text;
-  for (const verify::MeasureRow& row : verify::kMeasures | std::views::drop(kAlwaysShown)) {
+  for (const pipeline::MeasureRow& row : pipeline::kMeasures | std::views::drop(kAlwaysShown)) {
     const double measured = check.measured.*row.value, bound = check.bound.*row.value;
     if (measured <= bound) continue;
     text += "; " + std::string(row.text) + " by " + numberText(measured) + " (at most " +
@@ -114,15 +114,15 @@ std::string coarseText(const Verification& found) {
 
 /// Returns how well the stream is coded, and the smallest changes that are noticed for sure.
 std::string worthText(const Verification& found) {
-  const verify::Deviation bound = found.unnoticed();
+  const pipeline::Deviation bound = found.unnoticed();
   // As many digits as show on which side of the limit it is.
-  const bool isNear = std::abs(found.quantiser.value_or(0) - verify::kCoarsestProof) < 1;
+  const bool isNear = std::abs(found.quantiser.value_or(0) - pipeline::kCoarsestProof) < 1;
   const int digits = isNear ? 5 : 3;
   const std::string quantiser = found.quantiser
                                     ? "coded at a mean quantiser of " +
                                           roundedText(*found.quantiser, digits) + " of 51" +
                                           (found.verdict() == Verdict::Coarse
-                                               ? ", above " + numberText(verify::kCoarsestProof)
+                                               ? ", above " + numberText(pipeline::kCoarsestProof)
                                                : "")
                                     : "its quantiser isn't measured";
   return "Worth: " + quantiser + "; changes of up to " + numberText(bound.worstBlock) +
@@ -165,9 +165,9 @@ std::string json(const ClipCheck& check) {
       .text();
 }
 
-std::string json(const verify::Deviation& deviation) {
+std::string json(const pipeline::Deviation& deviation) {
   JsonObject object;
-  for (const verify::MeasureRow& row : verify::kMeasures) {
+  for (const pipeline::MeasureRow& row : pipeline::kMeasures) {
     object.addNumber(row.name, deviation.*row.value);
   }
   return object.text();
@@ -232,19 +232,19 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
 
 struct VerifyArguments {
   std::filesystem::path clip;
-  verify::VerifyOptions options;
+  pipeline::VerifyOptions options;
   DeviceOptions deviceOptions;
   bool json = false;
   RerunArguments again;
 };
 
-int statusOf(verify::Verdict verdict) {
+int statusOf(pipeline::Verdict verdict) {
   switch (verdict) {
-    case verify::Verdict::Proved:
+    case pipeline::Verdict::Proved:
       return kDone;
-    case verify::Verdict::Coarse:
+    case pipeline::Verdict::Coarse:
       return kCoarse;
-    case verify::Verdict::NotProved:
+    case pipeline::Verdict::NotProved:
       return kUnmet;
   }
   return kUnmet;
@@ -260,13 +260,13 @@ int makeAgain(const VerifyArguments& arguments) {
 
 int verify(const VerifyArguments& arguments) {
   if (!arguments.again.folder.empty()) return makeAgain(arguments);
-  verify::VerifyOptions options = arguments.options;
+  pipeline::VerifyOptions options = arguments.options;
   options.device = arguments.deviceOptions.choice();
-  verify::Verification found;
+  pipeline::Verification found;
   {
     ProgressLine progress(arguments.clip.string());
     options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
-    found = verify::verifyClip(arguments.clip, options);
+    found = pipeline::verifyClip(arguments.clip, options);
   }
   (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
                                                                    std::cout);

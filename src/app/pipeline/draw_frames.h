@@ -1,4 +1,4 @@
-// Drawing of frames into sinks that run on threads of their own.
+// Drawing of frames into sinks that run on threads of their own. Inside the room only.
 #pragma once
 
 #include <atomic>

@@ -6,7 +6,7 @@
 
 #include "video/planes.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 
 /// Errors of a picture. Those but the first three are means over many pixels, of which the noise of
 /// encoding leaves little: they show changes that are far smaller than that noise.
@@ -51,4 +51,4 @@ bool isWithin(const Deviation& measured, const Deviation& bound);
 /// Measures how far `picture` is from `drawn`. Throws InputError if the sizes differ.
 Deviation deviation(const video::Planes& picture, const video::Planes& drawn);
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -1,4 +1,4 @@
-#include "verify/stream_checks.h"
+#include "pipeline/verify/stream_checks.h"
 
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 #include "scene/small_scene.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 using scene::testing::smallScene;
@@ -164,4 +164,4 @@ TEST(StreamChecks, NameWhatRotatebookWritesOtherwise) {
 }
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -8,10 +8,10 @@
 #include "image/image.h"
 #include "picture/frame_drawer.h"
 #include "scene/scene.h"
-#include "verify/clip_check.h"
+#include "pipeline/verify/clip_check.h"
 #include "video/planes.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 
 /// Returns the largest deviation of a decoded picture from the drawn one that encoding with
 /// `quantiser` explains, in pictures of `width` x `height` pixels.
@@ -47,4 +47,4 @@ class PictureComparison {
   std::map<std::int64_t, video::Planes> drawn_;  // The last few.
 };
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -1,4 +1,4 @@
-#include "verify/picture_comparison.h"
+#include "pipeline/verify/picture_comparison.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "store/clip_files.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 // Frames on either side with which a picture is compared: each picture, and one that fails.
@@ -154,4 +154,4 @@ const video::Planes& PictureComparison::drawn(std::int64_t frame) {
   return drawn_[frame] = video::planesToEncode(picture_.view(), transparent_);
 }
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

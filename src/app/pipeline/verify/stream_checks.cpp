@@ -1,4 +1,4 @@
-#include "verify/stream_checks.h"
+#include "pipeline/verify/stream_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 const video::ColourTags kColours{"bt709", "bt709", "bt709", "tv"};
@@ -143,4 +143,4 @@ std::vector<ClipCheck> TimeCheck::checks() const {
            std::abs(facts_.duration - wanted) <= lengthBound}};
 }
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -1,5 +1,5 @@
 // The table in docs/tables/forgeries.md of what is noticed, and what isn't.
-#include "verify/forgeries.h"
+#include "pipeline/verify/forgeries.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +15,11 @@
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/encoding.h"
-#include "verify/picture_comparison.h"
+#include "pipeline/verify/picture_comparison.h"
 #include "video/clip_reader.h"
 #include "video/video_writer.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
@@ -145,4 +145,4 @@ TEST(Forgeries, AreNoticedAsTheDocumentationSays) {
 }
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

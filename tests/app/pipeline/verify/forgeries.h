@@ -7,7 +7,7 @@
 
 #include "image/image.h"
 
-namespace rotatebook::verify::testing {
+namespace rotatebook::pipeline::testing {
 
 /// A change of each picture of a clip.
 struct PictureForgery {
@@ -18,4 +18,4 @@ struct PictureForgery {
 /// Returns all forgeries of the table in docs/verify.md, in its order.
 std::vector<PictureForgery> forgeries();
 
-}  // namespace rotatebook::verify::testing
+}  // namespace rotatebook::pipeline::testing

@@ -10,11 +10,11 @@
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/encoding.h"
-#include "verify/picture_comparison.h"
+#include "pipeline/verify/picture_comparison.h"
 #include "video/clip_reader.h"
 #include "video/video_writer.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 using video::VideoFormat;
@@ -94,4 +94,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, OtherLetters,
                                            ));
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -12,9 +12,9 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/small_clip.h"
-#include "verify/verify_clip.h"
+#include "pipeline/verify/verify_clip.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 using video::VideoFormat;
@@ -149,4 +149,4 @@ TEST(HonestClips, AreNeverRefused) {
 }
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

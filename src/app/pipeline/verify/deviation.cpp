@@ -1,4 +1,4 @@
-#include "verify/deviation.h"
+#include "pipeline/verify/deviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 using Samples = std::vector<float>;
@@ -193,4 +193,4 @@ Deviation deviation(const video::Planes& picture, const video::Planes& drawn) {
           .chromaPatch = std::max(chroma(u), chroma(v))};
 }
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -1,5 +1,5 @@
 // Clips that show what they say, and clips that don't.
-#include "verify/verify_clip.h"
+#include "pipeline/verify/verify_clip.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -16,11 +16,11 @@
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/encoding.h"
-#include "verify/picture_comparison.h"
+#include "pipeline/verify/picture_comparison.h"
 #include "video/forged_mp4.h"
 #include "video/video_writer.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
@@ -399,4 +399,4 @@ TEST(VerifyClip, NotesOtherTools) {
 }
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

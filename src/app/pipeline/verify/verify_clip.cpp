@@ -1,4 +1,4 @@
-#include "verify/verify_clip.h"
+#include "pipeline/verify/verify_clip.h"
 
 #include <algorithm>
 #include <iterator>
@@ -8,13 +8,13 @@
 #include "pipeline/render_clip.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
-#include "verify/picture_comparison.h"
-#include "verify/stream_checks.h"
+#include "pipeline/verify/picture_comparison.h"
+#include "pipeline/verify/stream_checks.h"
 #include "video/clip_form.h"
 #include "video/clip_reader.h"
 #include "video/whole_file.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 constexpr std::int64_t kDefaultFrames = 6;
@@ -182,4 +182,4 @@ Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& 
   return Verifier(clip, options).run();
 }
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "verify/deviation.h"
+#include "pipeline/verify/deviation.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 
 /// The largest mean quantiser of a clip that can be proved, in the scale of video::PictureFacts. In
 /// a coarser one the noise of encoding hides changes that people see.
@@ -33,4 +33,4 @@ struct PictureCheck {
   bool passed() const { return !closerTo && isWithin(measured, bound); }
 };
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -11,9 +11,9 @@
 #include "pipeline/draw_frames.h"
 #include "render/device/device.h"
 #include "store/clip_record.h"
-#include "verify/clip_check.h"
+#include "pipeline/verify/clip_check.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 
 /// Options of a verification.
 struct VerifyOptions {
@@ -62,4 +62,4 @@ struct Verification {
 /// be drawn.
 Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options);
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

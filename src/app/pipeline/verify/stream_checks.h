@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "verify/clip_check.h"
+#include "pipeline/verify/clip_check.h"
 #include "video/clip_reader.h"
 #include "video/written_form.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 
 /// Names of the checks that must pass before pictures can be compared.
 inline constexpr const char* kSizeCheck = "size";
@@ -62,4 +62,4 @@ class TimeCheck {
   bool allHaveTimes_ = true;
 };
 
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -1,4 +1,4 @@
-#include "verify/forgeries.h"
+#include "pipeline/verify/forgeries.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <string_view>
 
-namespace rotatebook::verify::testing {
+namespace rotatebook::pipeline::testing {
 namespace {
 
 using Rgb = std::array<double, 3>;
@@ -141,4 +141,4 @@ std::vector<PictureForgery> forgeries() {
           {"corners 5 % darker", shadeCorners}};
 }
 
-}  // namespace rotatebook::verify::testing
+}  // namespace rotatebook::pipeline::testing

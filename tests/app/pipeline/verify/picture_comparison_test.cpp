@@ -1,4 +1,4 @@
-#include "verify/picture_comparison.h"
+#include "pipeline/verify/picture_comparison.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "timeline/simulate_scene.h"
 #include "video/planes.h"
 
-namespace rotatebook::verify {
+namespace rotatebook::pipeline {
 namespace {
 
 using scene::testing::kFrames;
@@ -107,4 +107,4 @@ TEST(PictureComparison, BoundsAFinePictureOfCoarseQuantisersByItsNoise) {
 }
 
 }  // namespace
-}  // namespace rotatebook::verify
+}  // namespace rotatebook::pipeline

@@ -20,7 +20,6 @@
 #include "cli/scene_options.h"
 #include "cli/spin_report.h"
 #include "physics/motion_start.h"
-#include "picture/named_file.h"
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
 #include "system/read_file.h"
@@ -52,12 +51,13 @@ void requirePositive(const char* option, const std::optional<double>& value) {
 }
 
 BodySurface surfaceOf(const body::ClosedMesh& file) {
-  const body::Shells shells = body::shellsOf(file.mesh);
+  const body::TriangleMesh& mesh = file.surface.mesh;
+  const body::Shells shells = body::shellsOf(mesh);
   const auto inFile = [&](auto pair) {
     if (pair) pair = {file.closing.numberOf((*pair)[0]), file.closing.numberOf((*pair)[1])};
     return pair;
   };
-  return {file.mesh.triangles.size(), shells.count, inFile(body::findSelfCrossing(file.mesh)),
+  return {mesh.triangles.size(), shells.count, inFile(body::findSelfCrossing(mesh)),
           inFile(shells.overlap), file.closing.notes};
 }
 
@@ -69,7 +69,7 @@ BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& options) {
   const double unit = unitOf(options.unit);
   body::ClosedMesh file = body::readMesh(path, system::readInput(path, scene::kLongestMesh));
   try {
-    body::TriangleMesh& mesh = file.mesh;
+    body::TriangleMesh& mesh = file.surface.mesh;
     for (Eigen::Vector3d& point : mesh.points) point *= unit;
     double density = options.density.value_or(kWater);
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
@@ -91,12 +91,10 @@ BodyNumbers bodyOfBook(const scene::Panel& motion) {
 }
 
 /// The scene has the mesh's numbers, but for its centre.
-BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid& solid) {
-  const body::ClosedMesh file = body::readMesh(
-      solid.mesh.name, picture::readNamedFile(scene.folder, solid.mesh.name, scene::kLongestMesh,
-                                              scene.allowOutside));
+BodyNumbers bodyOfMeshFile(const scene::Solid& solid) {
+  const body::ClosedMesh& file = *solid.mesh.content;
   BodyNumbers numbers{scene::numbersOf(solid).properties, surfaceOf(file)};
-  numbers.properties.centre = body::massPropertiesOf(file.mesh, 1).centre * solid.mesh.unit;
+  numbers.properties.centre = body::massPropertiesOf(file.surface.mesh, 1).centre * solid.mesh.unit;
   return numbers;
 }
 
@@ -117,10 +115,9 @@ struct Info {
   std::optional<SpinNumbers> spin{};  ///< A mesh has none.
 };
 
-BodyNumbers bodyOf(const scene::Scene& scene, const scene::Panel& motion) {
+BodyNumbers bodyOf(const scene::Panel& motion) {
   if (motion.solid.isBook()) return bodyOfBook(motion);
-  return motion.solid.parts.empty() ? bodyOfMeshFile(scene, motion.solid)
-                                    : bodyOfParts(motion.solid);
+  return motion.solid.parts.empty() ? bodyOfMeshFile(motion.solid) : bodyOfParts(motion.solid);
 }
 
 void print(const std::string& head, const std::vector<Info>& infos) {
@@ -158,7 +155,7 @@ void showScene(const std::string& path, const InfoOptions& options) {
   const scene::Scene scene = options.scene.read(path);
   std::vector<Info> infos;
   for (const SpinNumbers& spin : spinNumbersOf(scene))
-    infos.push_back({spin.motion.label, bodyOf(scene, spin.motion), spin});
+    infos.push_back({spin.motion.label, bodyOf(spin.motion), spin});
   options.json ? printJson(scene.name, scene.title, infos)
                : print(scene.name + ": " + scene.title, infos);
 }

@@ -11,7 +11,6 @@
 #include "base/checksum.h"
 #include "base/clip_limits.h"
 #include "base/error.h"
-#include "body/mesh_readers.h"
 #include "image/picture_file.h"
 #include "picture/named_file.h"
 #include "render/book_textures.h"
@@ -133,34 +132,13 @@ auto atBodies(const scene::Scene& scene, const Work& work) {
   return scene::atLocationOf(scene, scene.panels.empty() ? "body" : "panel", work);
 }
 
-std::string readMeshFile(const scene::Scene& scene, const SceneBody& body) {
-  return atBodies(scene, [&] {
-    return readNamedFile(scene.folder, body.solid.mesh.name, scene::kLongestMesh,
-                         scene.allowOutside);
-  });
-}
-
-/// Returns the surface of a body's mesh file, as it is in the file.
-body::Surface meshSurfaceOf(const SceneBody& body, const std::string& bytes) {
-  const std::string& name = body.solid.mesh.name;
-  body::Surface surface = body::readSurface(name, bytes);
-  scene::MeshFile numbers = scene::meshFileOf(name, surface.mesh);
-  numbers.unit = body.solid.mesh.unit;
-  if (numbers != body.solid.mesh)
-    throw InputError(
-        name +
-        " isn't the scene's body any more; bring the file back, or take the scene as it is now");
-  return surface;
-}
-
-/// Returns the look of a body that isn't the book. `bytes`: of its mesh's file, if it has one.
-std::shared_ptr<const render::SurfaceLook> lookOf(const scene::Scene& scene, const SceneBody& body,
-                                                  const std::string& bytes) {
+/// Returns the look of a body that isn't the book.
+std::shared_ptr<const render::SurfaceLook> lookOf(const scene::Scene& scene,
+                                                  const SceneBody& body) {
   return atBodies(scene, [&] {
     auto look = std::make_shared<render::SurfaceLook>();
     look->size = body.size;
-    look->surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
-                                         : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
+    look->surface = scene::surfaceOf(body.solid);
     std::int64_t pixels = 0;
     for (const std::string& image : look->surface.images) {
       const std::string number = std::to_string(look->images.size());
@@ -200,11 +178,18 @@ TextureFiles readTextures(const scene::Scene& scene) {
     decode(scene, side, bytes);
   }
   for (const SceneBody& body : all.bodies) {
-    if (body.meshKey.empty()) continue;
-    const std::string& bytes = files[body.meshKey] = readMeshFile(scene, body);
-    lookOf(scene, body, bytes);
+    if (!body.meshKey.empty()) lookOf(scene, body);
   }
   return files;
+}
+
+TextureChecksums checksumsOf(const scene::Scene& scene, const TextureFiles& files) {
+  TextureChecksums sums;
+  for (const auto& [key, bytes] : files) sums.emplace(key, checksumOf(bytes));
+  for (const SceneBody& body : bodiesOf(scene).bodies) {
+    if (!body.meshKey.empty()) sums.emplace(body.meshKey, body.solid.mesh.checksum);
+  }
+  return sums;
 }
 
 LoadedLooks loadLooks(const scene::Scene& scene, const TextureFiles& files) {
@@ -213,14 +198,10 @@ LoadedLooks loadLooks(const scene::Scene& scene, const TextureFiles& files) {
   for (const SceneBody& body : all.bodies) {
     if (body.solid.isBook()) {
       loaded.looks.emplace_back(loadBook(scene, files, loaded.checksums));
-    } else if (body.meshKey.empty()) {
-      loaded.looks.emplace_back(lookOf(scene, body, ""));
-    } else {
-      const auto known = files.find(body.meshKey);
-      const std::string bytes = known == files.end() ? readMeshFile(scene, body) : known->second;
-      loaded.looks.emplace_back(lookOf(scene, body, bytes));
-      loaded.checksums[body.meshKey] = checksumOf(bytes);
+      continue;
     }
+    loaded.looks.emplace_back(lookOf(scene, body));
+    if (!body.meshKey.empty()) loaded.checksums[body.meshKey] = body.solid.mesh.checksum;
   }
   loaded.lookOf = std::move(all.bodyOf);
   return loaded;

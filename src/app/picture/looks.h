@@ -19,9 +19,8 @@ struct LoadedLooks {
   TextureChecksums checksums;
 };
 
-/// Decodes the scene's textures, in parallel, and meshes: the bytes of `files`, or else of the
-/// files themselves. Throws as readTextures() does, and InputError for a mesh that changed since
-/// the scene was read, or has more than body::kMaxDrawnTriangles.
+/// Decodes the scene's textures, in parallel: the bytes of `files`, or else of the files
+/// themselves. Throws as readTextures() does.
 LoadedLooks loadLooks(const scene::Scene& scene, const TextureFiles& files = {});
 
 /// Makes a renderer with the scene's settings and the given looks for `screen`.

@@ -15,11 +15,15 @@ inline constexpr const char* kBuiltinTexture = "built-in";
 /// "panel.1.body.mesh": checksumOf() the file's bytes, or kBuiltinTexture.
 using TextureChecksums = std::map<std::string, std::string>;
 
-/// The bytes of a scene's texture and mesh files by key; what is built in has none.
+/// The bytes of a scene's texture files by key; what is built in has none.
 using TextureFiles = std::map<std::string, std::string>;
 
-/// Reads the texture and mesh files that the scene names. Throws InputError if one is missing or
-/// broken, or leads outside the scene's folder without Scene::allowOutside.
+/// Reads the texture files that the scene names, whose meshes were read. Throws InputError if one
+/// is missing or broken, or leads outside the scene's folder without Scene::allowOutside; and for a
+/// mesh that scene::surfaceOf() refuses, or whose pictures are broken.
 TextureFiles readTextures(const scene::Scene& scene);
+
+/// Returns the checksums of the textures in `files` and of the scene's meshes.
+TextureChecksums checksumsOf(const scene::Scene& scene, const TextureFiles& files);
 
 }  // namespace rotatebook::picture

@@ -122,12 +122,6 @@ std::string texturesText(const picture::TextureChecksums& textures) {
   });
 }
 
-picture::TextureChecksums checksumsOf(const picture::TextureFiles& textures) {
-  picture::TextureChecksums sums;
-  for (const auto& [key, bytes] : textures) sums.emplace(key, checksumOf(bytes));
-  return sums;
-}
-
 /// Returns the folders in `folder`, in the order of their names; the first kMaxFolders of them.
 std::vector<fs::path> foldersIn(const fs::path& folder) {
   constexpr std::size_t kMaxFolders = 1000;
@@ -154,8 +148,8 @@ std::vector<fs::path> foldersNear(const fs::path& clip) {
 
 /// Reads the files that a record's scene names.
 void readFiles(RecordedClip& clip) {
-  clip.textures = picture::readTextures(clip.record.scene);
   readMotionFiles(clip.record.scene);
+  clip.textures = picture::readTextures(clip.record.scene);
 }
 
 /// Reads them from a folder near the clip that has all of them as they were. Returns false, and
@@ -171,7 +165,9 @@ bool readFilesNear(const fs::path& clip, RecordedClip& recorded) {
       continue;
     }
     const std::string& wanted = recorded.record.provenance.textures;
-    if (!wanted.empty() && wanted != texturesText(checksumsOf(there.textures))) continue;
+    if (!wanted.empty() &&
+        wanted != texturesText(picture::checksumsOf(there.record.scene, there.textures)))
+      continue;
     recorded = std::move(there);
     return true;
   }

@@ -47,9 +47,11 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
 }  // namespace
 
 void readMotionFiles(scene::Scene& scene) {
-  scene::readMotionFiles(scene, [&](const fs::path& file, std::size_t most) {
+  const auto readNamedFile = [&](const fs::path& file, std::size_t most) {
     return picture::readNamedFile(scene.folder, file, most, scene.allowOutside);
-  });
+  };
+  scene::readMotionFiles(scene, readNamedFile);
+  scene::readMeshFiles(scene, readNamedFile);
 }
 
 std::string readSceneText(const fs::path& path) {

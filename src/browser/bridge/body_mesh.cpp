@@ -4,7 +4,6 @@
 
 #include "base/json.h"
 #include "base/number_text.h"
-#include "body/mesh_readers.h"
 #include "body/shape.h"
 #include "geometry/body_mesh.h"
 #include "scene/solid_numbers.h"
@@ -14,15 +13,17 @@ namespace {
 
 body::Surface surfaceOf(const scene::Motion& motion,
                         const std::function<const std::string*(const std::string&)>& fileOf) {
-  const scene::Solid& solid = motion.solid;
+  scene::Solid solid = motion.solid;
   const std::string& name = solid.mesh.name;
-  if (name.empty()) return scene::surfaceOf(solid);
-  const std::string* bytes = fileOf(name);
-  if (bytes == nullptr) {
-    const Eigen::Vector3d& size = motion.body.size;
-    return {.mesh = body::findShape("box")->solid({size.data(), 3}).surface};
+  if (!name.empty() && solid.mesh.content == nullptr) {
+    const std::string* bytes = fileOf(name);
+    if (bytes == nullptr) {
+      const Eigen::Vector3d& size = motion.body.size;
+      return {.mesh = body::findShape("box")->solid({size.data(), 3}).surface};
+    }
+    takeMeshFile(*bytes, solid.mesh);
   }
-  return scene::surfaceOf(solid, body::readSurface(name, *bytes));
+  return scene::surfaceOf(solid);
 }
 
 std::string materialJson(const body::Material& material, const Eigen::Vector3d& size,

@@ -23,10 +23,11 @@ struct Closing {
   }
 };
 
-/// A mesh that encloses a body, as its file has it, but for what the notes say.
+/// A surface that encloses a body, as its file has it, but for what the notes say.
 struct ClosedMesh {
-  TriangleMesh mesh;  ///< Welded; requireClosed() accepts it.
+  Surface surface;  ///< Welded; requireClosed() accepts its mesh.
   Closing closing{};
+  std::string undrawable{};  ///< Why its look can't be read; empty if it can.
 };
 
 /// Welds a surface. Leaves triangles out that have a corner twice, which changes nothing that a

@@ -203,18 +203,18 @@ std::vector<std::string> collect(const GlbDocument& document, Surface& surface) 
 
 }  // namespace
 
-NotedMesh readGlb(std::string_view bytes) {
-  Surface surface;
-  std::vector<std::string> notes = collect(GlbDocument(bytes), surface);
-  return {std::move(surface.mesh), std::move(notes)};
-}
-
-Surface readGlbSurface(std::string_view bytes) {
+NotedSurface readGlb(std::string_view bytes) {
   const GlbDocument document(bytes);
-  Surface surface;
-  readMaterials(document, surface);
-  collect(document, surface);
-  return surface;
+  NotedSurface read;
+  try {
+    readMaterials(document, read.surface);
+    read.notes = collect(document, read.surface);
+  } catch (const InputError& error) {
+    // A body moves as its triangles say, whatever it looks like
+    read = {{}, {}, error.what()};
+    read.notes = collect(document, read.surface);
+  }
+  return read;
 }
 
 }  // namespace rotatebook::body

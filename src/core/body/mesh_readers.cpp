@@ -13,24 +13,18 @@ namespace rotatebook::body {
 namespace {
 
 template <TriangleMesh (*kRead)(std::string_view)>
-NotedMesh withoutNotes(std::string_view bytes) {
-  return {kRead(bytes)};
-}
-
-template <NotedMesh (*kRead)(std::string_view)>
-Surface plainSurface(std::string_view bytes) {
-  return {.mesh = kRead(bytes).mesh};
+NotedSurface plainSurface(std::string_view bytes) {
+  return {{.mesh = kRead(bytes)}};
 }
 
 struct Format {
   std::string_view ending;
-  NotedMesh (*read)(std::string_view);
-  Surface (*readSurface)(std::string_view);
+  NotedSurface (*read)(std::string_view);
 };
-constexpr Format kFormats[] = {{".obj", withoutNotes<readObj>, plainSurface<withoutNotes<readObj>>},
-                               {".stl", readStl, plainSurface<readStl>},
-                               {".ply", withoutNotes<readPly>, plainSurface<withoutNotes<readPly>>},
-                               {".glb", readGlb, readGlbSurface}};
+constexpr Format kFormats[] = {{".obj", plainSurface<readObj>},
+                               {".stl", readStl},
+                               {".ply", plainSurface<readPly>},
+                               {".glb", readGlb}};
 
 const Format* formatOf(std::string_view name) {
   const std::string ending = lowerCase(name.substr(std::min(name.rfind('.'), name.size())));
@@ -66,19 +60,10 @@ bool isMeshName(std::string_view name) {
 
 ClosedMesh readMesh(std::string_view name, std::string_view bytes) {
   return atName(name, bytes, [&](const Format& format) {
-    NotedMesh read = format.read(bytes);
-    Surface surface{.mesh = std::move(read.mesh)};
-    Closing closing = closeSurface(surface);
+    NotedSurface read = format.read(bytes);
+    Closing closing = closeSurface(read.surface);
     closing.notes.insert(closing.notes.end(), read.notes.begin(), read.notes.end());
-    return ClosedMesh{std::move(surface.mesh), std::move(closing)};
-  });
-}
-
-Surface readSurface(std::string_view name, std::string_view bytes) {
-  return atName(name, bytes, [&](const Format& format) {
-    Surface surface = format.readSurface(bytes);
-    closeSurface(surface);
-    return surface;
+    return ClosedMesh{std::move(read.surface), std::move(closing), std::move(read.undrawable)};
   });
 }
 

@@ -24,31 +24,27 @@ TriangleMesh readObj(std::string_view text);
 /// z, and `face` or `tristrips` with lists of vertices, in any order.
 TriangleMesh readPly(std::string_view bytes);
 
-/// Triangles of a file, and sentences on what of it isn't read or drawn.
-struct NotedMesh {
-  TriangleMesh mesh;
+/// The surface of a file, and sentences on what of it isn't read or drawn.
+struct NotedSurface {
+  Surface surface;
   std::vector<std::string> notes{};
+  std::string undrawable{};  ///< Why its look can't be read; it is neutral then. Empty if it can.
 };
 
 /// Reads STL, text or binary; words in any case.
-NotedMesh readStl(std::string_view bytes);
+NotedSurface readStl(std::string_view bytes);
 
 /// Reads glTF 2.0 in one file (.glb): the triangles of the scene that it shows, or of all its
 /// nodes, in their places, with the weights of their morph targets and in the pose of their
-/// skeletons. Its unit is the metre.
-NotedMesh readGlb(std::string_view bytes);
-
-/// Reads the same triangles with their materials, and the texture coordinates of their pictures.
-/// Throws also for pictures outside the file.
-Surface readGlbSurface(std::string_view bytes);
+/// skeletons; with their materials, and the texture coordinates of their pictures. Its unit is the
+/// metre.
+NotedSurface readGlb(std::string_view bytes);
 
 /// Reads a mesh by the ending of its name, .obj, .stl, .ply or .glb, and closes it. Throws
 /// InputError, which begins with the name, also for other endings, and for what isn't closed; what
-/// can't be read and is of another kind is called that.
+/// can't be read and is of another kind is called that. But for GLB, all of it has the first,
+/// neutral, material.
 ClosedMesh readMesh(std::string_view name, std::string_view bytes);
-
-/// Reads a surface as readMesh() does; but for GLB, all of it has the first, neutral, material.
-Surface readSurface(std::string_view name, std::string_view bytes);
 
 /// Returns whether the name ends like that of a mesh.
 bool isMeshName(std::string_view name);

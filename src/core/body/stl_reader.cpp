@@ -111,15 +111,15 @@ bool endsAtFacet(MeshWords& words) {
   return !word.empty();
 }
 
-NotedMesh readTextStl(std::string_view text) {
-  NotedMesh read;
+NotedSurface readTextStl(std::string_view text) {
+  NotedSurface read;
   MeshWords words(text);
   bool hasEnd = false;
   for (std::string word = keyword(words); !word.empty(); word = keyword(words)) {
     const bool isName = word == "solid" || word == "endsolid";
     if (!isName && word != "facet") failAt(words, "facet", word);
     hasEnd = word == "endsolid";
-    if (!isName || endsAtFacet(words)) readFacet(words, read.mesh);
+    if (!isName || endsAtFacet(words)) readFacet(words, read.surface.mesh);
   }
   if (!hasEnd) {
     read.notes.emplace_back(
@@ -139,13 +139,13 @@ bool hasBinaryByte(std::string_view bytes) {
 
 }  // namespace
 
-NotedMesh readStl(std::string_view bytes) {
+NotedSurface readStl(std::string_view bytes) {
   // Some binary files begin with "solid", too
-  if (hasSizeOfStl(bytes)) return {readBinaryStl(bytes)};
+  if (hasSizeOfStl(bytes)) return {{.mesh = readBinaryStl(bytes)}};
   std::string decoded;
   const std::string_view file = textOfFile(bytes, decoded);
   refuseUtf16(file);
-  if (decoded.empty() && hasBinaryByte(file)) return {readBinaryStl(bytes)};
+  if (decoded.empty() && hasBinaryByte(file)) return {{.mesh = readBinaryStl(bytes)}};
   const std::string_view text = withoutPadding(file);
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid" && first != "facet") {

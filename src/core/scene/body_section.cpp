@@ -106,13 +106,6 @@ TomlNode* nodeAt(TomlNode* node, std::string_view key) {
   return entry != nullptr ? &entry->node : nullptr;
 }
 
-MeshFile readMeshFile(const std::string& name, const ReadNamedFile& readNamedFile) {
-  body::ClosedMesh surface = body::readMesh(name, readNamedFile(name, kLongestMesh));
-  MeshFile file = meshFileOf(name, surface.mesh);
-  file.surface = std::make_shared<const body::ClosedMesh>(std::move(surface));
-  return file;
-}
-
 /// Reads each file once, into `known`.
 void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshFiles& known) {
   TomlNode* node = nodeAt(nodeAt(&root, "body"), "mesh");
@@ -132,7 +125,7 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshFiles& 
   const auto [mesh, isNew] = known.try_emplace(*name);
   if (isNew) {
     try {
-      mesh->second = readMeshFile(*name, readNamedFile);
+      mesh->second = readMeshFile(*name, readNamedFile(*name, kLongestMesh));
     } catch (const InputError& error) {
       document::failAt(node->location, shown + ": " + error.what());
     }
@@ -156,15 +149,15 @@ MeshFiles includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
   return files;
 }
 
-void takeSurface(const MeshFile& file, MeshFile& mesh) {
+void takeContent(const MeshFile& file, MeshFile& mesh) {
   MeshFile same = file;
   same.unit = mesh.unit;
-  if (same == mesh) mesh.surface = same.surface;
+  if (same == mesh) mesh = same;
 }
 
-void takeSurface(const MeshFiles& files, MeshFile& mesh) {
+void takeContent(const MeshFiles& files, MeshFile& mesh) {
   const auto file = files.find(mesh.name);
-  if (file != files.end()) takeSurface(file->second, mesh);
+  if (file != files.end()) takeContent(file->second, mesh);
 }
 
 }  // namespace rotatebook::scene

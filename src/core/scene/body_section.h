@@ -24,8 +24,8 @@ using MeshFiles = std::map<std::string, MeshFile, std::less<>>;
 /// body.
 MeshFiles includeMeshes(document::TomlNode& root, const ReadNamedFile& readNamedFile);
 
-/// Gives `mesh` the surface of its file, if that has its numbers; `file` may be another.
-void takeSurface(const MeshFile& file, MeshFile& mesh);
-void takeSurface(const MeshFiles& files, MeshFile& mesh);
+/// Gives `mesh` the content of its file, if that has its numbers; `file` may be another.
+void takeContent(const MeshFile& file, MeshFile& mesh);
+void takeContent(const MeshFiles& files, MeshFile& mesh);
 
 }  // namespace rotatebook::scene

@@ -7,8 +7,8 @@ namespace rotatebook::scene {
 
 std::vector<std::string> meshNotes(const Solid& solid) {
   std::vector<std::string> notes;
-  if (solid.mesh.surface == nullptr) return notes;
-  for (const std::string& note : solid.mesh.surface->closing.notes)
+  if (solid.mesh.content == nullptr) return notes;
+  for (const std::string& note : solid.mesh.content->closing.notes)
     notes.push_back(oneLine(solid.mesh.name, 200) + ": " + note);
   return notes;
 }

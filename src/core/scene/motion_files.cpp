@@ -12,7 +12,9 @@
 #include "physics/recorded_start.h"
 #include "recording/csv_table.h"
 #include "recording/read_recording.h"
+#include "scene/body_section.h"
 #include "scene/placed_particles.h"
+#include "scene/solid_numbers.h"
 #include "scene/solid_particles.h"
 #include "scene/source_locations.h"
 
@@ -82,6 +84,18 @@ void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
   for (StudyRun& run : scene.study->runs) {
     readIfRecorded(run.motion, scene, location, 0, readNamedFile);
   }
+}
+
+void readMeshFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
+  MeshFiles read;
+  const auto take = [&](MeshFile& mesh) {
+    takeContent(read, mesh);
+    if (mesh.name.empty() || mesh.content != nullptr) return;
+    takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh);
+    read.try_emplace(mesh.name, mesh);
+  };
+  if (scene.panels.empty()) take(scene.solid.mesh);
+  for (Panel& panel : scene.panels) take(panel.solid.mesh);
 }
 
 }  // namespace rotatebook::scene

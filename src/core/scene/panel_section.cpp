@@ -146,7 +146,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file,
   // Check what several sections decide together
   takeClock(clock, result.simulation);
   checkPanel(panel, merged, result);
-  takeSurface(meshes, result.solid.mesh);
+  takeContent(meshes, result.solid.mesh);
   placeParticles(merged, result);
   settleSpin(merged, result);
   return result;

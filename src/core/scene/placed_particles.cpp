@@ -162,12 +162,7 @@ void placeParticles(const ValueReader& file, Motion& motion) {
 
 void placeInMesh(Motion& motion, const ReadNamedFile& readNamedFile) {
   MeshFile& mesh = motion.solid.mesh;
-  body::ClosedMesh surface = body::readMesh(mesh.name, readNamedFile(mesh.name, kLongestMesh));
-  MeshFile file = meshFileOf(mesh.name, surface.mesh);
-  file.unit = mesh.unit;
-  if (file != mesh)
-    throw InputError("the file " + quotedText(mesh.name) + " has changed: it is another body");
-  mesh.surface = std::make_shared<const body::ClosedMesh>(std::move(surface));
+  takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh);
   motion.particles.system = std::make_shared<const MassSpringSystem>(systemOf(motion));
   if (motion.initial.about) turnSpinToAxis(motion);
 }

@@ -18,7 +18,7 @@ void checkParticlesBody(const document::ValueReader& section,
 void placeParticles(const document::ValueReader& file, Motion& motion);
 
 /// Places the particles of a motion that lacks a surface. Throws InputError if `readNamedFile` or
-/// body::readMesh() refuses its file, or the file has other numbers than the motion.
+/// takeMeshFile() refuses its file.
 void placeInMesh(Motion& motion, const ReadNamedFile& readNamedFile);
 
 }  // namespace rotatebook::scene

@@ -110,7 +110,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   problems.note([&] { meshes = includeMeshes(tree, readNamedFile); });
   const ValueReader file(tree, "");
   problems.note([&] { readSections(file, scene); });
-  takeSurface(meshes, scene.solid.mesh);
+  takeContent(meshes, scene.solid.mesh);
   problems.note([&] { readMotions(file, meshes, scene); });
   for (document::Problem& problem : problems.all()) {
     const std::string sections = sectionsOf(problem.unknownKey);

@@ -35,9 +35,10 @@ struct MeshFile {
   double volume = 0;              ///< Of its unit, > 0.
   Eigen::Vector3d size{0, 0, 0};  ///< Of the box around its centre, in its unit.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< Of density 1, about the centre.
-  std::shared_ptr<const body::ClosedMesh> surface{};  ///< In its unit, as it is in the file.
+  std::shared_ptr<const body::ClosedMesh> content{};  ///< Of the file, in its unit; null if unread.
+  std::string checksum{};                             ///< checksumOf() the file, if it was read.
 
-  /// Compares all but the surface, from which the numbers follow.
+  /// Compares all but the content, from which the numbers follow.
   friend bool operator==(const MeshFile& a, const MeshFile& b) {
     return a.name == b.name && a.unit == b.unit && a.volume == b.volume && a.size == b.size &&
            a.inertia == b.inertia;

@@ -1,12 +1,17 @@
 #include "scene/solid_numbers.h"
 
 #include <cmath>
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/checksum.h"
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/text.h"
+#include "body/mesh_readers.h"
 #include "body/shape.h"
 #include "rigid/inertia.h"
 
@@ -87,6 +92,17 @@ SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
           mesh.size * u};
 }
 
+/// Returns the look of a mesh whose file was read.
+body::Surface lookOfMesh(const MeshFile& mesh) {
+  const body::ClosedMesh& file = *mesh.content;
+  if (!file.undrawable.empty()) throw InputError(oneLine(mesh.name, 200) + ": " + file.undrawable);
+  requireDrawable(file.surface, mesh.name);
+  body::Surface surface = file.surface;
+  const Vector3d centre = body::massPropertiesOf(surface.mesh, 1).centre;
+  for (Vector3d& point : surface.mesh.points) point = (point - centre) * mesh.unit;
+  return surface;
+}
+
 }  // namespace
 
 double densityOf(const BodyPart& part) {
@@ -104,6 +120,7 @@ body::SolidPiece placed(const BodyPart& part) {
 }
 
 body::Surface surfaceOf(const Solid& solid) {
+  if (!solid.mesh.name.empty()) return lookOfMesh(solid.mesh);
   body::Surface surface;
   for (const BodyPart& part : solid.parts) {
     if (part.density && *part.density < 0) continue;
@@ -118,13 +135,6 @@ body::Surface surfaceOf(const Solid& solid) {
   return surface;
 }
 
-body::Surface surfaceOf(const Solid& solid, body::Surface file) {
-  requireDrawable(file, solid.mesh.name);
-  const Vector3d centre = body::massPropertiesOf(file.mesh, 1).centre;
-  for (Vector3d& point : file.mesh.points) point = (point - centre) * solid.mesh.unit;
-  return file;
-}
-
 SolidNumbers numbersOf(const Solid& solid) {
   SolidNumbers numbers = solid.mesh.name.empty()
                              ? numbersOfParts(solid.parts)
@@ -136,9 +146,25 @@ SolidNumbers numbersOf(const Solid& solid) {
   return numbers;
 }
 
-MeshFile meshFileOf(const std::string& name, const TriangleMesh& mesh) {
+MeshFile readMeshFile(const std::string& name, std::string_view bytes) {
+  auto content = std::make_shared<const body::ClosedMesh>(body::readMesh(name, bytes));
+  const TriangleMesh& mesh = content->surface.mesh;
   const MassProperties properties = body::massPropertiesOf(mesh, 1);
-  return {name, 1, properties.volume, boxAround(properties.centre, {&mesh, 1}), properties.inertia};
+  return {name,
+          1,
+          properties.volume,
+          boxAround(properties.centre, {&mesh, 1}),
+          properties.inertia,
+          std::move(content),
+          checksumOf(bytes)};
+}
+
+void takeMeshFile(std::string_view bytes, MeshFile& mesh) {
+  MeshFile file = readMeshFile(mesh.name, bytes);
+  file.unit = mesh.unit;
+  if (file != mesh)
+    throw InputError("the file " + quotedText(mesh.name) + " has changed: it is another body");
+  mesh = std::move(file);
 }
 
 }  // namespace rotatebook::scene

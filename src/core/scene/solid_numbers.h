@@ -1,6 +1,9 @@
 // The mass properties of bodies that scenes state.
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include <Eigen/Core>
 
 #include "body/mass_properties.h"
@@ -28,15 +31,16 @@ double densityOf(const BodyPart& part);
 /// Returns a part in its place, of density 1. [m] Throws InputError if its lengths don't fit.
 body::SolidPiece placed(const BodyPart& part);
 
-/// Returns the looks of a solid's parts, but for those that take away, around its centre of mass.
-/// [m] Throws InputError if they have more than body::kMaxDrawnTriangles.
+/// Returns the look of a solid around its centre of mass: of its parts, but for those that take
+/// away, or of its mesh, whose file was read. [m] Throws InputError if it has more than
+/// body::kMaxDrawnTriangles, or is a mesh whose look can't be read.
 body::Surface surfaceOf(const Solid& solid);
-/// Returns the look of a solid that is the mesh of a file, likewise: `file` is what
-/// body::readSurface() made of it. Throws InputError if it has more than body::kMaxDrawnTriangles.
-body::Surface surfaceOf(const Solid& solid, body::Surface file);
 
-/// Returns the numbers of a closed mesh, in its own unit. Throws InputError if it encloses no
-/// volume.
-MeshFile meshFileOf(const std::string& name, const body::TriangleMesh& mesh);
+/// Reads the mesh called `name`: its numbers, in its own unit, and its content. Throws InputError
+/// as body::readMesh() does, and if it encloses no volume.
+MeshFile readMeshFile(const std::string& name, std::string_view bytes);
+/// Gives `mesh` the content of its file. Throws InputError likewise, and if the file has other
+/// numbers.
+void takeMeshFile(std::string_view bytes, MeshFile& mesh);
 
 }  // namespace rotatebook::scene

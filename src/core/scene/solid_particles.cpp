@@ -48,7 +48,7 @@ std::vector<Surface> surfacesOf(const Motion& motion) {
     const Vector3d& size = motion.body.size;
     surfaces.push_back({placed({"box", {size.x(), size.y(), size.z()}}).surface});
   } else if (!solid.mesh.name.empty()) {
-    surfaces.push_back({solid.mesh.surface->mesh});
+    surfaces.push_back({solid.mesh.content->surface.mesh});
     for (Vector3d& point : surfaces.back().mesh.points) point *= solid.mesh.unit;
   }
   requireOneDensity(solid);
@@ -194,7 +194,7 @@ bool lacksSurface(const Motion& motion) {
   const MeshFile& mesh = motion.solid.mesh;
   return motion.simulation.model == physics::Model::Particles &&
          !physics::areEight(motion.simulation.particles.arrangement) && !mesh.name.empty() &&
-         mesh.surface == nullptr;
+         mesh.content == nullptr;
 }
 
 MassSpringSystem particlesAtVertices(const Motion& motion) {

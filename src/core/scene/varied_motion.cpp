@@ -124,7 +124,7 @@ Motion motionFrom(const TomlNode& sections, const Motion& scene) {
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
-  takeSurface(scene.solid.mesh, motion.solid.mesh);
+  takeContent(scene.solid.mesh, motion.solid.mesh);
   placeParticles(file, motion);
   settleSpin(file, motion);
   return motion;

@@ -1,5 +1,5 @@
-// How often commands open a scene's texture: once, so that what they check, draw and record is the
-// same even if the file changes.
+// How often commands open a scene's texture or mesh: once, so that what they check, simulate, draw
+// and record is the same even if the file changes.
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -53,8 +53,8 @@ class TextureReads : public ProgramTest {
     write("covered.toml", std::string(kTiny) + "[book]\nfront = \"cover.png\"\n");
   }
 
-  void expectOneOf(const std::vector<std::string>& command) const {
-    OpenCounter opens(folder() / "cover.png");
+  void expectOneOf(const std::vector<std::string>& command, const char* file = "cover.png") const {
+    OpenCounter opens(folder() / file);
     ASSERT_TRUE(opens.watches());
     const ChildResult result = run(command);
     EXPECT_EQ(result.status, 0) << result.error;
@@ -70,6 +70,20 @@ TEST_F(TextureReads, AreOneForEachCommand) {
   expectOneOf({"verify", "covered.mp4", "--again", "again"});
   expectOneOf({"bench", "covered.toml", "--frames", "2"});
   expectOneOf({"still", "covered.toml", "--time", "0", "-o", "still.png"});
+}
+
+TEST_F(TextureReads, AreOneOfAMeshForEachCommand) {
+  write("body.obj",
+        "v 0 0 0\nv 0.3 0 0\nv 0 0.2 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+  write("meshed.toml", std::string(kTiny) + "[body]\nmesh = \"body.obj\"\ndensity = 700\n");
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"info", "meshed.toml"},
+        {"check", "meshed.toml"},
+        {"simulate", "meshed.toml"},
+        {"render", "meshed.toml", "-o", "."},
+        {"verify", "meshed.mp4"},
+        {"still", "meshed.toml", "--time", "0", "-o", "still.png"}})
+    expectOneOf(command, "body.obj");
 }
 
 }  // namespace

@@ -35,7 +35,9 @@ BoxFile pictured(const std::string& material, const std::string& pictures = kPic
 }
 
 Surface lookOf(const BoxFile& file) {
-  return readSurface("a.glb", file.bytes());
+  const ClosedMesh read = readMesh("a.glb", file.bytes());
+  if (!read.undrawable.empty()) throw InputError(read.undrawable);
+  return read.surface;
 }
 
 Vector2f coordinatesOf(const std::string& use) {

@@ -20,7 +20,7 @@ using ::testing::HasSubstr;
 using testing::messageOf;
 
 MassProperties propertiesOf(const BoxFile& file) {
-  return massPropertiesOf(readMesh("a.glb", file.bytes()).mesh, 1);
+  return massPropertiesOf(readMesh("a.glb", file.bytes()).surface.mesh, 1);
 }
 
 std::string saidOfPose(const BoxFile& file) {
@@ -143,7 +143,7 @@ TEST(GlbReader, LeavesHiddenNodesOut) {
       R"({"mesh": 0, "children": [1]}, {"mesh": 0, "translation": [9, 0, 0], "extensions":
          {"KHR_node_visibility": {"visible": false}}, "children": [2]}, {"mesh": 0})";
   const ClosedMesh read = readMesh("a.glb", file.bytes());
-  EXPECT_DOUBLE_EQ(massPropertiesOf(read.mesh, 1).volume, 6);
+  EXPECT_DOUBLE_EQ(massPropertiesOf(read.surface.mesh, 1).volume, 6);
   EXPECT_THAT(read.closing.notes, ElementsAre("nodes that the file hides are left out"));
 }
 

@@ -22,7 +22,7 @@ using testing::messageOf;
 TEST(GlbReader, ReadsTheBodiesOfAScene) {
   const TriangleMesh mesh = readMesh("a.glb", boxIn(R"("scene": 1, "scenes": [{}, {"nodes": [0]}],
                                  "nodes": [{"mesh": 0}, {"mesh": 0}])"))
-                                .mesh;
+                                .surface.mesh;
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6);
 }
@@ -32,7 +32,7 @@ TEST(GlbReader, PutsNodesInTheirPlaces) {
       readMesh("a.glb",
                boxIn(R"("nodes": [{"children": [1], "translation": [10, 0, 0], "scale": [2, 2, 2]},
                        {"mesh": 0, "rotation": [0, 0, 0.7071067811865476, 0.7071067811865476]}])"))
-          .mesh;
+          .surface.mesh;
   const MassProperties found = massPropertiesOf(mesh, 1);
   EXPECT_NEAR(found.volume, 48, 1e-12);                         // measured 7e-15
   EXPECT_NEAR(found.centre.x(), 10, 1e-12);                     // measured 0
@@ -44,7 +44,7 @@ TEST(GlbReader, KeepsTheOutsideOfAMirroredNode) {
   const TriangleMesh mesh =
       readMesh("a.glb",
                boxIn(R"("nodes": [{"mesh": 0, "matrix": [-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,0,0,1]}])"))
-          .mesh;
+          .surface.mesh;
   EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6);
 }
 
@@ -107,10 +107,13 @@ std::string boxWithMaterial(const std::string& material, const std::string& imag
 }
 
 TEST(GlbReader, ReadsMaterials) {
-  const Surface surface = readGlbSurface(boxWithMaterial(
-      R"({"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0, "roughnessFactor": 0.75,
+  const Surface surface =
+      readGlb(
+          boxWithMaterial(
+              R"({"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0, "roughnessFactor": 0.75,
           "baseColorTexture": {"index": 0}})",
-      R"({"bufferView": 3, "mimeType": "image/png"})"));
+              R"({"bufferView": 3, "mimeType": "image/png"})"))
+          .surface;
   ASSERT_EQ(surface.materials.size(), 3U);
   const Material& material = surface.materials[surface.materialOf.at(0)];
   EXPECT_EQ(material.baseColour, Eigen::Vector3f(0.5F, 0.25F, 1));
@@ -127,7 +130,10 @@ TEST(GlbReader, ReadsMaterials) {
 
 TEST(GlbReader, RefusesMaterialsThatAreNone) {
   const auto messageFor = [](const std::string& material, const std::string& image) {
-    return messageOf([&] { readGlbSurface(boxWithMaterial(material, image)); });
+    const NotedSurface read = readGlb(boxWithMaterial(material, image));
+    EXPECT_EQ(read.surface.mesh.triangles.size(), 12U);
+    EXPECT_EQ(read.surface.materials.size(), 1U);
+    return read.undrawable;
   };
   const std::string kTexture = R"({"baseColorTexture": {"index": 0}})";
   EXPECT_THAT(messageFor(R"({"metallicFactor": 2})", "{}"),
@@ -164,7 +170,7 @@ TEST(GlbReader, HasAPictureOnce) {
   const std::string two = "\"textures\":[{},{\"source\":1}]";
   ASSERT_EQ(one.size(), two.size() - 1);
   bytes.replace(bytes.find(one) - 1, one.size() + 1, two);
-  const Surface surface = readGlbSurface(bytes);
+  const Surface surface = readGlb(bytes).surface;
   EXPECT_EQ(surface.images.size(), 1U);
   EXPECT_EQ(surface.materials[1].metalRoughnessImage, 0);
 }

@@ -34,7 +34,7 @@ const TriangleMesh& box() {
 
 void expectSameBox(const char* name, const std::string& bytes) {
   EXPECT_EQ(messageOf([&] {
-              const TriangleMesh mesh = readMesh(name, bytes).mesh;
+              const TriangleMesh mesh = readMesh(name, bytes).surface.mesh;
               EXPECT_EQ(mesh.points.size(), 8U);
               EXPECT_EQ(mesh.triangles.size(), 12U);
               EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6);

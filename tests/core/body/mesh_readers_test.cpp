@@ -25,7 +25,7 @@ using testing::textPlyOf;
 using testing::textStlOf;
 
 void expectBox(const char* name, const std::string& bytes) {
-  const TriangleMesh mesh = readMesh(name, bytes).mesh;
+  const TriangleMesh mesh = readMesh(name, bytes).surface.mesh;
   EXPECT_EQ(mesh.points.size(), 8U) << name;
   EXPECT_EQ(mesh.triangles.size(), 12U) << name;
   EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6) << name;

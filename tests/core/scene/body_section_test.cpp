@@ -43,7 +43,7 @@ TEST(BodySection, ReadsTheMeshOfSeveralPanelsOnce) {
                                    return kCube;
                                  });
   EXPECT_EQ(reads, 1);
-  EXPECT_EQ(scene.panels[0].solid.mesh.surface, scene.panels[1].solid.mesh.surface);
+  EXPECT_EQ(scene.panels[0].solid.mesh.content, scene.panels[1].solid.mesh.content);
   EXPECT_NEAR(scene.panels[0].body.mass, 8000, 1e-9);      // measured to rounding
   EXPECT_NEAR(scene.panels[1].body.mass, 8000e-6, 1e-15);  // measured to rounding
 }

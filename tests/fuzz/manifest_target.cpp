@@ -1,7 +1,7 @@
 // The manifest beside the frames: any text is refused, or gives one that is read back as it was.
 #include <optional>
 
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 #include "fuzz/fuzzing.h"
 #include "store/manifest.h"
 

@@ -2,7 +2,7 @@
 #include <optional>
 #include <string>
 
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 #include "fuzz/fuzzing.h"
 #include "scene/scene_text.h"
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <regex>
 
+#include "base/document/toml_text.h"
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "document/toml_text.h"
-#include "document/toml_tree.h"
 #include "scene/grid_settings.h"
 
 namespace rotatebook::cli {

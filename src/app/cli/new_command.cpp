@@ -5,12 +5,12 @@
 #include <string>
 #include <system_error>
 
+#include "base/document/toml_text.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
-#include "document/toml_text.h"
 #include "embedded/cli.h"
 #include "scene/scene_text.h"
 #include "store/scene_name.h"

@@ -6,11 +6,11 @@
 #include <set>
 #include <utility>
 
+#include "base/document/overrides.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
 #include "cli/grid_option.h"
-#include "document/overrides.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
 #include "store/fingerprint.h"

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "base/document/toml_text.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
@@ -22,7 +23,6 @@
 #include "cli/scene_options.h"
 #include "cli/study_execution.h"
 #include "cli/study_report.h"
-#include "document/toml_text.h"
 #include "plot/study_plots.h"
 #include "scene/source_locations.h"
 #include "store/fingerprint.h"
@@ -157,8 +157,10 @@ int finish(const Task& task, const study::Study& result, StudiedScene& studied, 
   studied.result = result;
   refuseNoResult(task, result);
   const int status = statusOf(reportStudy(result, *task.scene.study, out));
-  plot::writeStudyPlot(result, task.scene, task.files.plots);
-  for (const auto& file : task.files.plots) studied.files.push_back(file.string());
+  for (const plot::PlotFile& plotted : plot::studyPlot(result, task.scene, task.files.plots)) {
+    system::writeFileAtomically(plotted.path, plotted.bytes);
+    studied.files.push_back(plotted.path.string());
+  }
   studied.files.push_back(task.files.json.string());
   system::writeFileAtomically(task.files.json, studyJson(besideItsFiles(studied)) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;

@@ -9,7 +9,6 @@
 #include "store/manifest.h"
 #include "store/map_files.h"
 #include "store/map_tiles.h"
-#include "study/map_files.h"
 #include "system/read_file.h"
 
 namespace rotatebook::farm {
@@ -51,9 +50,7 @@ SceneProgress clipProgress(const Plan& plan, const PlannedScene& scene) {
 SceneProgress mapProgress(const Plan& plan, const PlannedScene& scene) {
   SceneProgress progress{std::vector<bool>(static_cast<std::size_t>(scene.units))};
   const store::MapFiles files = store::mapFiles(plan.folder, scene.name);
-  const std::string json = system::readFileOrEmpty(files.json);
-  progress.isWhole =
-      study::checksumsIn(json).fingerprint == scene.values && areThere(scene.outputs);
+  progress.isWhole = store::mapFingerprintIn(files) == scene.values && areThere(scene.outputs);
   const store::MapTiles tiles(files.tiles, scene.values);
   for (std::size_t i = 0; i < progress.units.size(); ++i)
     progress.units[i] = progress.isWhole || tiles.contains(i);
@@ -117,8 +114,7 @@ void refuseOtherTiles(const Plan& plan, const PlannedScene& scene) {
                      " holds tiles of other settings, or of another build of this program; submit "
                      "into another folder with -o, or remove it");
   }
-  const auto made = study::checksumsIn(system::readFileOrEmpty(files.json));
-  if (!fs::exists(files.npy) || made.fingerprint == scene.values) return;
+  if (!fs::exists(files.npy) || store::mapFingerprintIn(files) == scene.values) return;
   throw InputError(files.npy.string() +
                    " holds the values of other settings, or of another build of this program; "
                    "submit into another folder with -o, or remove it");

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "document/toml_tree.h"
-#include "document/value_reader.h"
+#include "base/document/toml_tree.h"
+#include "base/document/value_reader.h"
 #include "embedded/page.h"
 
 namespace rotatebook::page {

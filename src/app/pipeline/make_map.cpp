@@ -124,7 +124,8 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const MapResult& re
     written.push_back(files.csv.string());
   }
   image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
-  plot::writeMapPlot(result, scene, files.plots);
+  for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
+    system::writeFileAtomically(plotted.path, plotted.bytes);
   system::writeFileAtomically(files.json, json);
   store::MapTiles(files.tiles, "").remove();
   return written;

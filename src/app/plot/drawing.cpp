@@ -10,8 +10,6 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
-#include "plot/plot_files.h"
-#include "system/atomic_file.h"
 
 namespace rotatebook::plot {
 namespace {
@@ -173,11 +171,12 @@ std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem) 
   return files;
 }
 
-void writePlot(const Drawing& drawing, const std::vector<std::filesystem::path>& files,
-               double scale) {
-  for (const std::filesystem::path& file : files) {
-    system::writeFileAtomically(file, drawing.file(file.extension().string(), scale));
-  }
+std::vector<PlotFile> filesOf(const Drawing& drawing,
+                              const std::vector<std::filesystem::path>& files, double scale) {
+  std::vector<PlotFile> plotted;
+  for (const std::filesystem::path& file : files)
+    plotted.push_back({file, drawing.file(file.extension().string(), scale)});
+  return plotted;
 }
 
 Box boxOf(const overlay::Typesetter& type, const std::string& text, const TextStyle& style,

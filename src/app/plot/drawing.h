@@ -12,6 +12,7 @@
 #include "overlay/box.h"
 #include "overlay/canvas.h"
 #include "overlay/text.h"
+#include "plot/plot_files.h"
 
 struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier): Cairo's name
 
@@ -73,10 +74,9 @@ class Drawing {
   std::vector<Written> texts_;
 };
 
-/// Writes a plot in each format, into its plotFiles(): each appears whole or not at all.
-/// Throws MachineError.
-void writePlot(const Drawing& drawing, const std::vector<std::filesystem::path>& files,
-               double scale = 1);
+/// Returns a plot in each format, for its plotFiles(). Throws MachineError.
+std::vector<PlotFile> filesOf(const Drawing& drawing,
+                              const std::vector<std::filesystem::path>& files, double scale = 1);
 
 /// Returns the box of a text that write() would write at the origin.
 Box boxOf(const overlay::Typesetter& type, const std::string& text, const TextStyle& style,

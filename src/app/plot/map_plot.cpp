@@ -154,9 +154,9 @@ image::Image mapPicture(const study::MapResult& result, const scene::Scene& scen
   return drawMap(result, scene, leastWidth).pixels();
 }
 
-void writeMapPlot(const study::MapResult& result, const scene::Scene& scene,
-                  const std::vector<std::filesystem::path>& files) {
-  writePlot(drawMap(result, scene), files);
+std::vector<PlotFile> mapPlot(const study::MapResult& result, const scene::Scene& scene,
+                              const std::vector<std::filesystem::path>& files) {
+  return filesOf(drawMap(result, scene), files);
 }
 
 int mapWidth(const scene::Scene& scene) {

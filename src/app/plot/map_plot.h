@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "plot/plot_files.h"
 #include "scene/scene.h"
 #include "study/map_result.h"
 
@@ -25,9 +26,9 @@ Drawing drawMap(const study::MapResult& result, const scene::Scene& scene, int l
 /// Returns that drawing's pixels.
 image::Image mapPicture(const study::MapResult& result, const scene::Scene& scene,
                         int leastWidth = 0);
-/// Writes that drawing like writePlot().
-void writeMapPlot(const study::MapResult& result, const scene::Scene& scene,
-                  const std::vector<std::filesystem::path>& files);
+/// Returns that drawing in each format, for its plotFiles().
+std::vector<PlotFile> mapPlot(const study::MapResult& result, const scene::Scene& scene,
+                              const std::vector<std::filesystem::path>& files);
 
 /// Returns the width of that sheet, which the ticks' labels decide, too. [pixels]
 int mapWidth(const scene::Scene& scene);

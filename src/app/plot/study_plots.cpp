@@ -195,12 +195,12 @@ Plot plotOf(const study::Study& result, const scene::StudySettings& study) {
   return plot;
 }
 
-void writeStudyPlot(const study::Study& result, const scene::Scene& scene,
-                    const std::vector<std::filesystem::path>& files) {
+std::vector<PlotFile> studyPlot(const study::Study& result, const scene::Scene& scene,
+                                const std::vector<std::filesystem::path>& files) {
   constexpr double kPixels = 1.5;  // of a PNG, for one of the sheet
   Plot plot = plotOf(result, *scene.study);
   plot.title = scene.title;
-  writePlot(drawPlot(plot, lettersOf(scene)), files, kPixels);
+  return filesOf(drawPlot(plot, lettersOf(scene)), files, kPixels);
 }
 
 void requireStudyLetters(const scene::Scene& scene) {

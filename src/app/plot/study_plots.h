@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "plot/plot_files.h"
 #include "scene/scene.h"
 #include "study/study.h"
 
@@ -16,9 +17,9 @@ struct Plot;
 /// rather than after.
 void requireStudyLetters(const scene::Scene& scene);
 
-/// Draws the results of the study of `scene`, and writes them like writePlot().
-void writeStudyPlot(const study::Study& result, const scene::Scene& scene,
-                    const std::vector<std::filesystem::path>& files);
+/// Draws the results of the study of `scene` in each format, for its plotFiles().
+std::vector<PlotFile> studyPlot(const study::Study& result, const scene::Scene& scene,
+                                const std::vector<std::filesystem::path>& files);
 
 /// Plots each measured quantity on a panel over the key that is varied, one curve for each value of
 /// the second key. Axes over wide spans are logarithmic; what doesn't happen is an open triangle at

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/checksum.h"
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "document/toml_tree.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
 #include "system/build_id.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "base/checksum.h"
+#include "base/clip_limits.h"
 #include "base/error.h"
-#include "image/png_file.h"
 #include "system/atomic_file.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
@@ -83,7 +83,7 @@ std::optional<std::string> FrameChecksums::intact(std::int64_t index) const {
   if (known == checksums_.end()) return std::nullopt;
   const std::filesystem::path file = folder_ / frameName(index);
   const Stamp stamp = stampOf(file);
-  std::string bytes = system::readFileOrEmpty(file, image::kLargestFile);
+  std::string bytes = system::readFileOrEmpty(file, kMaxPictureBytes);
   if (bytes.empty() || checksumOf(bytes) != known->second) return std::nullopt;
   const std::lock_guard lock(mutex_);
   keepStamp(index, stamp);

@@ -5,9 +5,9 @@
 #include <system_error>
 #include <variant>
 
+#include "base/document/toml_text.h"
+#include "base/document/toml_tree.h"
 #include "base/error.h"
-#include "document/toml_text.h"
-#include "document/toml_tree.h"
 #include "store/clip_files.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"

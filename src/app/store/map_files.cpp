@@ -1,6 +1,8 @@
 #include "store/map_files.h"
 
 #include "plot/plot_files.h"
+#include "study/map_files.h"
+#include "system/read_file.h"
 
 namespace rotatebook::store {
 
@@ -15,6 +17,10 @@ std::vector<std::filesystem::path> allOf(const MapFiles& files) {
   std::vector<std::filesystem::path> all = files.plots;
   all.insert(all.end(), {files.plain, files.npy, files.json, files.csv});
   return all;
+}
+
+std::string mapFingerprintIn(const MapFiles& files) {
+  return study::checksumsIn(system::readFileOrEmpty(files.json)).fingerprint;
 }
 
 }  // namespace rotatebook::store

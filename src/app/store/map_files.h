@@ -31,4 +31,7 @@ MapFiles mapFiles(const std::filesystem::path& folder, const std::string& name);
 /// Returns all files of the map itself.
 std::vector<std::filesystem::path> allOf(const MapFiles& files);
 
+/// Returns study::MapChecksums::fingerprint of the map that left the files; empty if none did.
+std::string mapFingerprintIn(const MapFiles& files);
+
 }  // namespace rotatebook::store

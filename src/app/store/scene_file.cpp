@@ -5,10 +5,10 @@
 #include <system_error>
 #include <vector>
 
+#include "base/document/toml_text.h"
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "document/toml_text.h"
-#include "document/toml_tree.h"
 #include "picture/named_file.h"
 #include "scene/motion_files.h"
 #include "scene/scene_text.h"

@@ -14,11 +14,11 @@
 #include <vector>
 
 #include "base/checksum.h"
+#include "base/document/toml_json.h"
 #include "base/error.h"
 #include "bridge/body_mesh.h"
 #include "bridge/played_scene.h"
 #include "bridge/scene_json.h"
-#include "document/toml_json.h"
 #include "geometry/book_mesh.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "base/document/toml_tree.h"
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/version.h"
-#include "document/toml_tree.h"
 #include "physics/motion_start.h"
 #include "scene/key_rows.h"
 #include "scene/names.h"

@@ -14,6 +14,9 @@ inline constexpr int kMaxPictureSide = 16'384;
 /// highest level (6.2; ITU-T H.264, table A-1), for example 8192x4352. [pixels]
 inline constexpr std::int64_t kMaxPicturePixels = 139'264 * 16 * 16;
 
+/// Longest file of a picture that is read: the largest picture, uncompressed. [bytes]
+inline constexpr std::uintmax_t kMaxPictureBytes = 5 * kMaxPicturePixels;
+
 /// Range of x264's constant rate factor. It excludes 0, which is lossless: H.264 has that only in
 /// its profile High 4:4:4 Predictive, which browsers don't play.
 inline constexpr int kBestCrf = 1, kWorstCrf = 51;

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 #include "scene/keys/section.h"
 #include "scene/scene.h"
 #include "scene/scene_text.h"

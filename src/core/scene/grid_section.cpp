@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "document/problems.h"
+#include "base/document/problems.h"
 #include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/sections.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "document/problems.h"
+#include "base/document/problems.h"
 #include "scene/keys/keys.h"
 #include "scene/motion_numbers.h"
 #include "scene/sections.h"

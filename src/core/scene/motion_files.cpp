@@ -5,10 +5,10 @@
 #include <string>
 
 #include "base/checksum.h"
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "document/toml_tree.h"
 #include "physics/recorded_start.h"
 #include "recording/csv_table.h"
 #include "recording/read_recording.h"

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/parsed_number.h"
-#include "document/toml_tree.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/varied_motion.h"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "document/problems.h"
-#include "document/toml_text.h"
+#include "base/document/problems.h"
+#include "base/document/toml_text.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"

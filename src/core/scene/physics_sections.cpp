@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/document/problems.h"
 #include "base/nearest_name.h"
-#include "document/problems.h"
 #include "scene/body_section.h"
 #include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"

@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/document/problems.h"
 #include "base/number_text.h"
-#include "document/problems.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"

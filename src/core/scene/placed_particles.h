@@ -1,7 +1,7 @@
 // The particles of a motion, placed in its body. Inside the room only.
 #pragma once
 
-#include "document/value_reader.h"
+#include "base/document/value_reader.h"
 #include "scene/scene.h"
 #include "scene/scene_text.h"
 

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <string>
 
+#include "base/document/included_table.h"
+#include "base/document/overrides.h"
+#include "base/document/problems.h"
+#include "base/document/toml_tree.h"
+#include "base/document/value_reader.h"
 #include "base/text.h"
-#include "document/included_table.h"
-#include "document/overrides.h"
-#include "document/problems.h"
-#include "document/toml_tree.h"
-#include "document/value_reader.h"
 #include "scene/body_section.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "document/overrides.h"
-#include "document/value_reader.h"
+#include "base/document/overrides.h"
+#include "base/document/value_reader.h"
 #include "scene/body_section.h"
 #include "scene/keys/section.h"
 #include "scene/names.h"

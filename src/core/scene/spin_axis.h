@@ -1,7 +1,7 @@
 // Spins that are stated by the rank of a moment. Inside the room only.
 #pragma once
 
-#include "document/value_reader.h"
+#include "base/document/value_reader.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/document/problems.h"
 #include "base/text.h"
-#include "document/problems.h"
 #include "scene/keys/expectation_keys.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <utility>
 
+#include "base/document/overrides.h"
+#include "base/document/toml_text.h"
 #include "base/nearest_name.h"
-#include "document/overrides.h"
-#include "document/toml_text.h"
 #include "scene/key_rows.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "document/toml_tree.h"
-#include "document/value_reader.h"
+#include "base/document/toml_tree.h"
+#include "base/document/value_reader.h"
 #include "scene/keys/axis_keys.h"
 #include "scene/scene.h"
 

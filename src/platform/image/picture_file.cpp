@@ -64,7 +64,7 @@ Image decodePicture(std::span<const std::uint8_t> bytes, const std::string& name
 }
 
 std::string readPictureFile(const std::filesystem::path& path) try {
-  return system::readFile(path, kLargestFile);
+  return system::readFile(path, kMaxPictureBytes);
 } catch (const InputError& error) {
   refusePicture(path.string(), error.what());
 }

@@ -18,7 +18,7 @@ namespace rotatebook::image {
 Image decodePicture(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Returns the bytes of a picture's file, not decoded. Throws InputError if it doesn't exist or has
-/// more than kLargestFile bytes (see png_file.h).
+/// more than kMaxPictureBytes.
 std::string readPictureFile(const std::filesystem::path& path);
 
 }  // namespace rotatebook::image

@@ -38,14 +38,12 @@ class PngWriter {
 
 /// Reads any PNG as 8-bit sRGB, Rgba8 if it has transparency, else Rgb8; palettes and grey are
 /// expanded, 16 bits reduced. Throws InputError if the file doesn't exist, isn't a PNG, is corrupt
-/// (with libpng's message), is larger than a clip's pictures can be, or has more than kLargestFile
-/// bytes. A header that claims more than its file can hold is refused before memory is allocated.
+/// (with libpng's message), is larger than a clip's pictures can be, or has more than
+/// kMaxPictureBytes. A header that claims more than its file can hold is refused before memory is
+/// allocated.
 Image readPng(const std::filesystem::path& path);
 
 /// Like readPng(), from memory; `name` is for messages.
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
-
-/// Longest file of a picture that is read: the largest picture, uncompressed. [bytes]
-inline constexpr std::uintmax_t kLargestFile = 5 * kMaxPicturePixels;
 
 }  // namespace rotatebook::image

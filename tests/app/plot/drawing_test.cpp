@@ -1,8 +1,6 @@
 // Files of plots: complete, alike, and the same each time.
 #include "plot/drawing.h"
 
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -15,7 +13,6 @@
 namespace rotatebook::plot {
 namespace {
 
-namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -64,38 +61,24 @@ TEST(Drawing, NamesALetterThatTheFontLacks) {
   EXPECT_THROW(drawing.write("\xe4\xb8\xad", {}, {0, 0}), InputError);
 }
 
-std::string readAll(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-TEST(WritePlot, WritesCompleteFilesOfEachFormat) {
-  const fs::path folder = fs::path(ROTATEBOOK_TEST_OUTPUT) / "plots";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  const std::vector<fs::path> files = plotFiles(folder / "it's \"a\"");
-  writePlot(sheet(), files, 2);
+TEST(PlotFiles, AreOfEachFormat) {
+  const std::vector<PlotFile> files = filesOf(sheet(), plotFiles("plots/it's \"a\""), 2);
   ASSERT_EQ(files.size(), 3U);
-  EXPECT_EQ(image::readPng(files[0]), sheet().pixels(2));
-  EXPECT_EQ(files[1].filename(), "it's \"a\".svg");
-  EXPECT_THAT(readAll(files[1]),
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(files[0].bytes.data());
+  EXPECT_EQ(image::decodePng({bytes, files[0].bytes.size()}, "a plot"), sheet().pixels(2));
+  EXPECT_EQ(files[1].path, "plots/it's \"a\".svg");
+  EXPECT_THAT(files[1].bytes,
               AllOf(HasSubstr("width=\"40px\" height=\"20px\""), HasSubstr("rgb(100%,0%,0%)"),
                     HasSubstr("<image "), EndsWith("</svg>\n")));
-  EXPECT_THAT(readAll(files[2]), AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 30 15 ]"),
-                                       HasSubstr("Inter"), EndsWith("%%EOF\n")));
+  EXPECT_THAT(files[2].bytes, AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 30 15 ]"),
+                                    HasSubstr("Inter"), EndsWith("%%EOF\n")));
 }
 
-TEST(WritePlot, HasTheSameBytesEachTime) {
+TEST(PlotFiles, HaveTheSameBytesEachTime) {
   EXPECT_EQ(sheet().file(".png"), sheet().file(".png"));
   EXPECT_EQ(sheet().file(".svg"), sheet().file(".svg"));
   EXPECT_EQ(sheet().file(".pdf"), sheet().file(".pdf"));
   EXPECT_THAT(sheet().file(".pdf"), ::testing::Not(HasSubstr("CreationDate")));
-}
-
-TEST(WritePlot, SaysThatAFileCantBeWritten) {
-  const std::vector<fs::path> files = plotFiles("/proc/no/such");
-  EXPECT_THROW(writePlot(sheet(), files), MachineError);
 }
 
 }  // namespace

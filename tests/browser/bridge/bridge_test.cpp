@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "document/toml_json.h"
+#include "base/document/toml_json.h"
 #include "geometry/camera.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "document/toml_text.h"
+#include "base/document/toml_text.h"
 #include "scene/names.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 #include "scene/axis.h"
 #include "scene/keys/key.h"
 

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/document/toml_text.h"
+#include "base/document/value_reader.h"
 #include "base/text.h"
-#include "document/toml_text.h"
-#include "document/value_reader.h"
 #include "scene/key_rows.h"
 
 namespace rotatebook::scene {

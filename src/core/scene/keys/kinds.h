@@ -10,10 +10,10 @@
 
 #include <Eigen/Core>
 
+#include "base/document/toml_text.h"
 #include "base/nearest_name.h"
 #include "base/rgb.h"
 #include "base/text.h"
-#include "document/toml_text.h"
 #include "scene/keys/key.h"
 #include "scene/names.h"
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/document/problems.h"
 #include "base/elementary.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/shape.h"
-#include "document/problems.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"

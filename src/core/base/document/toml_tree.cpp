@@ -1,14 +1,14 @@
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
+#include "base/document/problems.h"
+#include "base/document/syntax_problem.h"
+#include "base/document/toml_parser.h"
+#include "base/document/toml_text.h"
 #include "base/text.h"
-#include "document/problems.h"
-#include "document/syntax_problem.h"
-#include "document/toml_parser.h"
-#include "document/toml_text.h"
 
 namespace rotatebook::document {
 namespace {

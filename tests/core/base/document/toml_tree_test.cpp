@@ -1,4 +1,4 @@
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 
 #include <string>
 #include <variant>
@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "document/errors.h"
+#include "base/document/errors.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/included_table.h"
+#include "base/document/included_table.h"
 
 #include <variant>
 

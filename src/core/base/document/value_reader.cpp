@@ -1,13 +1,13 @@
-#include "document/value_reader.h"
+#include "base/document/value_reader.h"
 
 #include <algorithm>
 #include <variant>
 
+#include "base/document/problems.h"
+#include "base/document/toml_text.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "document/problems.h"
-#include "document/toml_text.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/overrides.h"
+#include "base/document/overrides.h"
 
 #include <span>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "document/errors.h"
+#include "base/document/errors.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/overrides.h"
+#include "base/document/overrides.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
+#include "base/document/problems.h"
+#include "base/document/toml_text.h"
 #include "base/error.h"
 #include "base/parsed_number.h"
 #include "base/text.h"
-#include "document/problems.h"
-#include "document/toml_text.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/toml_text.h"
+#include "base/document/toml_text.h"
 
 #include <limits>
 #include <string>

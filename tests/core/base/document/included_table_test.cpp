@@ -1,11 +1,11 @@
-#include "document/included_table.h"
+#include "base/document/included_table.h"
 
 #include <string>
 #include <variant>
 
 #include <gtest/gtest.h>
 
-#include "document/errors.h"
+#include "base/document/errors.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/value_reader.h"
+#include "base/document/value_reader.h"
 
 #include <string>
 #include <string_view>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "document/errors.h"
+#include "base/document/errors.h"
 
 namespace rotatebook::document {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "document/toml_tree.h"
+#include "base/document/toml_tree.h"
 
 namespace rotatebook::document {
 

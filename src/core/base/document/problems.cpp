@@ -1,4 +1,4 @@
-#include "document/problems.h"
+#include "base/document/problems.h"
 
 #include <algorithm>
 #include <charconv>

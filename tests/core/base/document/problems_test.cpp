@@ -1,11 +1,11 @@
-#include "document/problems.h"
+#include "base/document/problems.h"
 
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "document/errors.h"
+#include "base/document/errors.h"
 
 namespace rotatebook::document {
 namespace {

@@ -1,4 +1,4 @@
-#include "document/toml_json.h"
+#include "base/document/toml_json.h"
 
 #include <cmath>
 #include <cstdint>

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/document/toml_tree.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "document/toml_tree.h"
 
 namespace rotatebook::document {
 

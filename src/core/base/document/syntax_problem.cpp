@@ -1,4 +1,4 @@
-#include "document/syntax_problem.h"
+#include "base/document/syntax_problem.h"
 
 #include <algorithm>
 #include <array>

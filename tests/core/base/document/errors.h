@@ -3,8 +3,8 @@
 
 #include <string>
 
+#include "base/document/toml_tree.h"
 #include "base/error.h"
-#include "document/toml_tree.h"
 
 namespace rotatebook::document {
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -18,16 +19,18 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, kParameters>;
 /// Free motion of the angular velocity, in body axes, by the classical Runge-Kutta method.
 class FreeSpin {
  public:
-  FreeSpin(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin)
-      : tensor_(tensor), inverse_(tensor_.inverse()), spin_(spin) {}
+  /// Spins above `fastest` stay as they are. [rad/s]
+  FreeSpin(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin, double fastest)
+      : tensor_(tensor), inverse_(tensor_.inverse()), spin_(spin), fastest_(fastest) {}
 
   const Eigen::Vector3d& spin() const { return spin_; }
 
   void advance(double interval) {
     constexpr double kTurn = 0.05;  // largest of a step [rad]
     constexpr double kMaxSteps = 1000;
+    // Parameters by which a body would spin up are refused by their error
+    if (!(spin_.norm() <= fastest_)) return;
     const double turn = interval * spin_.norm();
-    if (!std::isfinite(turn)) return;  // of parameters that are refused by their error
     const double steps = std::clamp(std::ceil(turn / kTurn), 1.0, kMaxSteps);
     const double h = interval / steps;
     for (int i = 0; i < static_cast<int>(steps); ++i) {
@@ -44,12 +47,22 @@ class FreeSpin {
 
   Eigen::Matrix3d tensor_, inverse_;
   Eigen::Vector3d spin_;
+  double fastest_;
 };
+
+/// Returns a spin that none of a flight comes near. [rad/s]
+double unreachedIn(Readings flight) {
+  constexpr double kTimes = 10;
+  double fastest = 0;
+  for (const InertialReading& one : flight)
+    fastest = std::max(fastest, one.rate.angularVelocity.norm());
+  return kTimes * fastest;
+}
 
 /// Returns the rates minus those of the free motion, three for each reading. [rad/s]
 Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
   Eigen::VectorXd residuals(3 * static_cast<Eigen::Index>(flight.size()));
-  FreeSpin free(tensorOf(p), p.tail<3>());
+  FreeSpin free(tensorOf(p), p.tail<3>(), unreachedIn(flight));
   for (std::size_t i = 0; i < flight.size(); ++i) {
     if (i > 0) free.advance(flight[i].rate.time - flight[i - 1].rate.time);
     residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) =
@@ -138,7 +151,7 @@ Eigen::Matrix3d tensorFrom(const Entries& entries) {
 
 Eigen::Vector3d freeSpinAfter(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin,
                               double interval) {
-  FreeSpin free(tensor, spin);
+  FreeSpin free(tensor, spin, std::numeric_limits<double>::max());
   free.advance(interval);
   return free.spin();
 }

@@ -50,19 +50,21 @@ class FreeSpin {
   double fastest_;
 };
 
-/// Returns a spin that none of a flight comes near. [rad/s]
+/// Returns a spin that a flight doesn't come near, but for wrong readings: ten times that of a
+/// quarter of it. [rad/s]
 double unreachedIn(Readings flight) {
   constexpr double kTimes = 10;
-  double fastest = 0;
-  for (const InertialReading& one : flight)
-    fastest = std::max(fastest, one.rate.angularVelocity.norm());
-  return kTimes * fastest;
+  std::vector<double> spins;
+  for (const InertialReading& one : flight) spins.push_back(one.rate.angularVelocity.norm());
+  const auto quarter = spins.begin() + std::ssize(spins) * 3 / 4;
+  std::nth_element(spins.begin(), quarter, spins.end());
+  return kTimes * *quarter;
 }
 
 /// Returns the rates minus those of the free motion, three for each reading. [rad/s]
-Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
+Eigen::VectorXd residualsOf(Readings flight, const Parameters& p, double unreached) {
   Eigen::VectorXd residuals(3 * static_cast<Eigen::Index>(flight.size()));
-  FreeSpin free(tensorOf(p), p.tail<3>(), unreachedIn(flight));
+  FreeSpin free(tensorOf(p), p.tail<3>(), unreached);
   for (std::size_t i = 0; i < flight.size(); ++i) {
     if (i > 0) free.advance(flight[i].rate.time - flight[i - 1].rate.time);
     residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) =
@@ -71,14 +73,15 @@ Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
   return residuals;
 }
 
-Slopes slopesOf(Readings flight, const Parameters& p) {
+Slopes slopesOf(Readings flight, const Parameters& p, double unreached) {
   constexpr double kStep = 1e-6;
   Slopes slopes(3 * static_cast<Eigen::Index>(flight.size()), kParameters);
   for (int i = 0; i < kParameters; ++i) {
     Parameters up = p, down = p;
     up[i] += kStep;
     down[i] -= kStep;
-    slopes.col(i) = (residualsOf(flight, up) - residualsOf(flight, down)) / (2 * kStep);
+    slopes.col(i) =
+        (residualsOf(flight, up, unreached) - residualsOf(flight, down, unreached)) / (2 * kStep);
   }
   return slopes;
 }
@@ -199,15 +202,16 @@ MomentumMatrix meanMomentum(const std::vector<RecordedMoment>& moments, std::siz
 FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance) {
   constexpr int kMaxIterations = 20;
   constexpr int kMaxHalvings = 20;
-  double error = residualsOf(flight, p).squaredNorm();
+  const double unreached = unreachedIn(flight);
+  double error = residualsOf(flight, p, unreached).squaredNorm();
   for (int i = 0; i < kMaxIterations; ++i) {
-    const Slopes slopes = slopesOf(flight, p);
-    Parameters step =
-        -inverseOf(productOf(slopes, slopes)) * productOf(slopes, residualsOf(flight, p));
+    const Slopes slopes = slopesOf(flight, p, unreached);
+    Parameters step = -inverseOf(productOf(slopes, slopes)) *
+                      productOf(slopes, residualsOf(flight, p, unreached));
     // Halve a step that doesn't lessen the error
     bool isLess = false;
     for (int k = 0; k < kMaxHalvings && !isLess; ++k, step /= 2) {
-      const double next = residualsOf(flight, p + step).squaredNorm();
+      const double next = residualsOf(flight, p + step, unreached).squaredNorm();
       isLess = next < error;
       if (isLess) p += step;
       if (isLess) error = next;
@@ -218,7 +222,7 @@ FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& bi
   fit.parameters = p;
   const double count = 3.0 * static_cast<double>(flight.size());
   const double variance = error / (count - kParameters);
-  fit.covariance = covarianceOf(slopesOf(flight, p), variance, biasVariance);
+  fit.covariance = covarianceOf(slopesOf(flight, p, unreached), variance, biasVariance);
   fit.residual = std::sqrt(error / count);
   return fit;
 }

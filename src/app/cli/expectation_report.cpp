@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "base/json.h"
 #include "base/number_text.h"
 #include "scene/expectation_text.h"
 
@@ -36,23 +35,6 @@ void reportExpectations(const timeline::MotionSummary& summary, std::ostream& ou
   for (const scene::ExpectationResult& result : summary.expectations) {
     out << "  " << reportLine(result) << '\n';
   }
-}
-
-std::string expectationJson(const scene::ExpectationResult& result) {
-  const scene::Expectation& expectation = result.expectation;
-  return JsonObject()
-      .addString("quantity", nameOf(expectation.measure))
-      .addNumber("from_s", expectation.from)
-      .addNumber("to_s", expectation.to)
-      .addNumberOrNull("min", expectation.min)
-      .addNumberOrNull("max", expectation.max)
-      .addNumberOrNull("rises_to", expectation.risesTo)
-      .addNumberOrNull("falls_to", expectation.fallsTo)
-      .addNumber("lowest", result.lowest)
-      .addNumber("highest", result.highest)
-      .addBool("met", result.met)
-      .addNumberOrNull("ends_early_s", result.endsEarly)
-      .text();
 }
 
 }  // namespace rotatebook::cli

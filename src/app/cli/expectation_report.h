@@ -20,7 +20,4 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
 /// Prints a motion's divergence, if any, and a line for each of its expectations to `out`.
 void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out);
 
-/// Returns an expectation as a JSON object: its bounds, what was measured, and whether it is met.
-std::string expectationJson(const scene::ExpectationResult& result);
-
 }  // namespace rotatebook::cli

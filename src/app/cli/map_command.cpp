@@ -28,6 +28,7 @@
 #include "store/clip_files.h"
 #include "store/result_owners.h"
 #include "store/study_files.h"
+#include "study/map_files.h"
 #include "study/map_result.h"
 #include "system/atomic_file.h"
 
@@ -78,28 +79,6 @@ std::string valueText(double value) {
   return roundedText(value, kDigits);
 }
 
-std::string factsJson(const study::MapFacts& facts) {
-  return JsonObject()
-      .addInteger("runs", facts.runs)
-      .addInteger("never", facts.never)
-      .addInteger("diverged", facts.diverged)
-      .addInteger("refused", facts.refused)
-      .addNumber("smallest", facts.smallest)
-      .addNumber("largest", facts.largest)
-      .addNumber("mean", facts.mean)
-      .text();
-}
-
-std::string expectedJson(const study::ExpectedOfMap& expected) {
-  return JsonObject()
-      .addString("quantity", expected.subject())
-      .addNumberOrNull("min", expected.expectation.bounds.min)
-      .addNumberOrNull("max", expected.expectation.bounds.max)
-      .addNumber("measured", expected.measured)
-      .addBool("met", expected.isMet())
-      .text();
-}
-
 std::string mapJson(const MappedScene& mapped) {
   return JsonObject()
       .addString("name", mapped.scene.name)
@@ -107,8 +86,8 @@ std::string mapJson(const MappedScene& mapped) {
       .addBool("interrupted", mapped.interrupted)
       .addStringOrNull("error", mapped.error)
       .add("files", jsonArrayOf(mapped.files, jsonString))
-      .add("facts", mapped.facts ? factsJson(*mapped.facts) : "null")
-      .add("expectations", jsonArrayOf(mapped.expected, expectedJson))
+      .add("facts", mapped.facts ? study::factsJson(*mapped.facts) : "null")
+      .add("expectations", study::expectationsJson(mapped.expected, *mapped.scene.map))
       .text();
 }
 
@@ -226,7 +205,7 @@ int runMapTask(const MapTask& task, pipeline::MapOptions options, MappedScene& m
   mapped.marks = made.result.marks;
   mapped.expected = expectedOf(made.result, *task.scene.map, runs);
   reportMap(mapped, out);
-  mapped.files = pipeline::writeMap(task.scene, made.result, task.files);
+  mapped.files = pipeline::writeMap(task.scene, runs, made.result, task.files);
   out << "  wrote " << oneLine(listed(mapped.files)) << std::endl;
   return statusOf(mapped.isMet());
 }

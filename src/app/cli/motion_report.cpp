@@ -10,6 +10,7 @@
 #include "base/text.h"
 #include "cli/expectation_report.h"
 #include "scene/names.h"
+#include "timeline/clip_json.h"
 #include "timeline/notes.h"
 
 namespace rotatebook::cli {
@@ -47,36 +48,6 @@ std::string flipsText(const MotionSummary& summary) {
   const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
   return text + ", at " + joinedOf(shown, secondsText) +
          (shown.size() < summary.flips.size() ? " ... s" : " s");
-}
-
-std::string energyJson(const MotionSummary& summary) {
-  return JsonObject()
-      .addNumber("lowest", summary.lowestEnergy)
-      .addNumber("highest", summary.highestEnergy)
-      .text();
-}
-
-std::string motionJson(const MotionSummary& summary) {
-  const auto& simulation = summary.motion.simulation;
-  std::vector<std::string> notes = timeline::notesOn(summary.motion);
-  notes.insert(notes.end(), summary.notes.begin(), summary.notes.end());
-  return JsonObject()
-      .addStringOrNull("label", summary.motion.label)
-      .addString("model", nameOf(scene::kModels, simulation.model))
-      .addStringOrNull("integrator", physics::takesSteps(simulation.model)
-                                         ? nameOf(scene::kIntegrators, simulation.integrator)
-                                         : std::string_view())
-      .addInteger("half_turns", static_cast<std::int64_t>(summary.flips.size()))
-      .add("flips_s", jsonArrayOf(summary.flips, shortestText))
-      .add("energy_ratio", energyJson(summary))
-      .addNumberOrNull("error_deg", summary.errorDeg)
-      .addNumberOrNull("visible_from_s", summary.visibleFrom)
-      .addNumberOrNull("diverged_at_s", summary.divergedAt)
-      .addBool("judged", summary.isJudged)
-      .addBool("met", summary.met())
-      .add("expectations", jsonArrayOf(summary.expectations, expectationJson))
-      .add("notes", jsonArrayOf(notes, jsonString))
-      .text();
 }
 
 }  // namespace
@@ -173,7 +144,7 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
 }
 
 std::string motionsJson(const std::vector<MotionSummary>& motions) {
-  return jsonArrayOf(motions, motionJson);
+  return jsonArrayOf(motions, timeline::motionJson);
 }
 
 void reportSimulationAsJson(const scene::Scene& scene, const std::vector<WrittenTable>& tables,

@@ -108,7 +108,7 @@ int render(const RenderArguments& arguments) {
 }
 
 constexpr const char* kRenderFooter = R"(
-Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
+Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.json, DIR/NAME.poster.png and
 DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single one, a row for each book.
 -o FILE, such as -o clip.mp4, makes that video alone of the frames; its table and poster are beside it,

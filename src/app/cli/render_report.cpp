@@ -35,6 +35,7 @@ std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
   }
   if (result.interrupted) return files;
   files.insert(files.end(), result.csvs.begin(), result.csvs.end());
+  if (!result.files.json.empty()) files.push_back(result.files.json);
   if (!options.isPart()) files.push_back(result.files.poster);
   return files;
 }

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/expectation_report.h"
 #include "cli/formatted.h"
+#include "scene/expectation_text.h"
 #include "scene/names.h"
 
 namespace rotatebook::cli {
@@ -70,17 +71,8 @@ std::string runLine(const StudyRow& row, const StudySettings& study) {
 }
 
 std::string expectedJson(const study::StudyExpectation& expected) {
-  const scene::Bounds bounds = expected.expectation.bounds();
-  JsonObject object;
-  object.addString("quantity", expected.subject())
-      .addString("meaning", std::string(rowOf(expected.expectation.measure).meaning))
-      .addNumberOrNull("min", bounds.min)
-      .addNumberOrNull("max", bounds.max);
-  if (std::isinf(expected.measured))
-    object.addString("measured", "inf");
-  else
-    object.addNumber("measured", expected.measured);
-  return object.addBool("met", expected.isMet()).text();
+  return scene::boundsJson(expected.subject(), rowOf(expected.expectation.measure).meaning,
+                           expected.expectation.bounds(), expected.measured);
 }
 
 std::string orderJson(const study::CurveOrder& order) {

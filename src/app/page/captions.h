@@ -6,20 +6,17 @@
 #include <vector>
 
 #include "base/frame_rate.h"
-#include "page/motion_data.h"
 
 namespace rotatebook::page {
 
-/// A measured event of a clip's motions.
+/// A measured event of a clip's motions; of several motions its words name the one.
 struct Event {
   std::int64_t frame = 0;  ///< The first frame that shows it.
   std::string words;       ///< "4.07 s: turned over, first time"; the time is the simulated one.
 };
 
-/// Returns the events of all motions in the order of their frames: each half-turn, nudge and
-/// divergence, and at the end that a book never turned over. Events of several motions name them by
-/// their labels.
-std::vector<Event> eventsOf(const std::vector<Motion>& motions, std::int64_t frames);
+/// Returns "4.07 s: ", which an event's words begin with.
+std::string headOf(double time);
 
 /// Returns the events as WebVTT, by the clip's own time. Each stays until shortly before the next,
 /// for 3 s at most, and for 0.8 s at least.

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -11,16 +10,14 @@
 #include "embedded/page.h"
 #include "image/png_file.h"
 #include "page/captions.h"
+#include "page/clip_result.h"
 #include "page/clip_videos.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
-#include "page/motion_data.h"
 #include "page/motion_settings_table.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
 #include "system/read_file.h"
-#include "timeline/clip_tables.h"
-#include "timeline/simulate_scene.h"
 
 namespace rotatebook::page {
 namespace {
@@ -34,10 +31,10 @@ constexpr std::string_view kEvents = R"(<details class="events"><summary>What ha
 <ol>{{items}}</ol></details>
 )";
 
-/// A clip's motions, simulated again, and its files.
+/// A clip's motions, its result and its files.
 struct Clip {
-  std::vector<Motion> motions;
-  std::int64_t frames = 0;
+  std::vector<scene::Panel> motions;
+  ClipResult result;
   store::ClipFiles files;
   std::vector<fs::path> csvs;  ///< See timeline::tableCount().
   ClipVideos videos;
@@ -45,14 +42,13 @@ struct Clip {
   bool hasFrames = false;  ///< All frames are beside it.
 };
 
-/// Throws InputError if a table beside the clip isn't that of the motion that the plots show.
-void refuseOtherMotion(const std::vector<fs::path>& csvs, const timeline::ClipMotion& motion,
-                       const scene::Scene& scene) {
-  for (std::size_t i = 0; i < csvs.size(); ++i) {
-    requireFile(csvs[i], scene, "render");
-    if (system::readFileOrEmpty(csvs[i]) == timeline::tableText(scene, motion, i)) continue;
-    throw InputError(csvs[i].string() + " was made from another scene or with other settings; " +
-                     renderAgain(scene, csvs[i].parent_path()));
+/// Throws InputError if a table beside the clip isn't of its scene.
+void refuseOtherTables(const Clip& clip, const scene::Scene& scene) {
+  for (const fs::path& csv : clip.csvs) {
+    requireFile(csv, scene, "render");
+    if (!areOfOtherScenes(clip.files, clip.videos.played, csv)) continue;
+    throw InputError(csv.string() + " was made from another scene or with other settings; " +
+                     renderAgain(scene, csv.parent_path()));
   }
 }
 
@@ -70,19 +66,15 @@ void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
 
 Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   Clip clip;
+  clip.motions = scene::motionsOf(scene);
   clip.files = store::clipFiles(folder, scene.name);
   clip.csvs = store::csvFiles(clip.files.csv, scene);
-  clip.hasRecord = store::isRecordOfClip(scene, system::readFileOrEmpty(clip.files.sceneCopy));
-  const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  clip.frames = motion.frameCount();
-  clip.hasFrames =
-      clip.hasRecord && std::ssize(store::framesIn(clip.files.frameFolder)) == clip.frames;
-  refuseOtherMotion(clip.csvs, motion, scene);
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    const physics::Trajectory& trajectory = motion.trajectories()[clip.motions.size()];
-    clip.motions.push_back({panel, trajectory});
-  }
   clip.videos = videosOf(scene, clip.files);
+  clip.result = readClipResult(clip.files.json, scene, clip.videos.motion);
+  clip.hasRecord = store::isRecordOfClip(scene, system::readFileOrEmpty(clip.files.sceneCopy));
+  clip.hasFrames =
+      clip.hasRecord && std::ssize(store::framesIn(clip.files.frameFolder)) == clip.result.frames;
+  refuseOtherTables(clip, scene);
   requireFile(clip.files.poster, scene, "render");
   refuseOtherPoster(clip, scene);
   return clip;
@@ -100,10 +92,11 @@ Html linksOf(const Clip& clip, const FigureFiles& files) {
                     clip.videos.isMovingPicture ? "Clip" : "Clip, which holds its scene");
   }
   for (std::size_t i = 0; i < clip.csvs.size(); ++i) {
-    const std::string label = clip.csvs.size() > 1 ? ": " + clip.motions[i].panel.label : "";
+    const std::string label = clip.csvs.size() > 1 ? ": " + clip.motions[i].label : "";
     links += linkItem(nameOf(clip.csvs[i]), "CSV" + label);
   }
   for (const auto& [file, name] : clip.videos.linked) links += linkItem(nameOf(file), name);
+  links += linkItem(nameOf(clip.files.json), "Result (JSON)");
   links += linkItem(nameOf(clip.files.poster), "Poster");
   const std::string folder = nameOf(clip.files.frameFolder) + "/";
   if (clip.hasFrames) links += linkItem(folder, "PNG frames");
@@ -113,53 +106,40 @@ Html linksOf(const Clip& clip, const FigureFiles& files) {
 
 std::vector<Check> allChecks(const Clip& clip) {
   std::vector<Check> all;
-  for (const Motion& motion : clip.motions) {
-    const std::vector<Check> checks = checksOf(motion);
-    all.insert(all.end(), checks.begin(), checks.end());
-  }
+  for (const MotionResult& motion : clip.result.motions)
+    all.insert(all.end(), motion.checks.begin(), motion.checks.end());
   return all;
 }
 
 Html tablesOf(const Clip& clip) {
   Html tables;
-  for (const Motion& motion : clip.motions) {
-    const std::string label = motion.panel.label.empty() ? "" : ": " + motion.panel.label;
-    tables += checksTable("Expected and measured" + label, checksOf(motion));
+  for (std::size_t i = 0; i < clip.motions.size(); ++i) {
+    const std::string& name = clip.motions[i].label;
+    const std::string label = name.empty() ? "" : ": " + name;
+    tables += checksTable("Expected and measured" + label, clip.result.motions[i].checks);
   }
   return tables;
 }
 
 Html divergenceOf(const scene::Scene& scene, const Clip& clip) {
+  const auto note = [](const std::string& text) {
+    return filled("<p class=\"note\">{{text}}</p>\n", {{"text", escaped(text)}});
+  };
+  const std::vector<MotionResult>& results = clip.result.motions;
+  const auto diverged = std::ranges::count_if(
+      results, [](const MotionResult& result) { return result.divergedAt.has_value(); });
+  if (diverged == 0) return {};
+  if (scene.grid)
+    return note(std::to_string(diverged) + " of " + std::to_string(results.size()) +
+                " motions diverge.");
   Html notes;
-  if (scene.grid) {
-    const auto diverged = std::ranges::count_if(clip.motions, [](const Motion& motion) {
-      return motion.trajectory.divergedAt.has_value();
-    });
-    if (diverged == 0) return notes;
-    return filled("<p class=\"note\">{{text}}</p>\n",
-                  {{"text", escaped(std::to_string(diverged) + " of " +
-                                    std::to_string(clip.motions.size()) + " motions diverge.")}});
-  }
-  for (const Motion& motion : clip.motions) {
-    if (!motion.trajectory.divergedAt) continue;
-    const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
-    notes += filled(
-        "<p class=\"note\">{{text}}</p>\n",
-        {{"text", escaped(who + " diverges at " +
-                          roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].divergedAt) continue;
+    const std::string& label = clip.motions[i].label;
+    notes += note((label.empty() ? "The motion" : label) + " diverges at " +
+                  roundedText(*results[i].divergedAt, kTimeDigits) + " s.");
   }
   return notes;
-}
-
-/// Returns the motions of the plots: of a grid those in its corners.
-std::vector<Motion> plottedMotions(const scene::Scene& scene, const Clip& clip) {
-  if (!scene.grid) return clip.motions;
-  const std::size_t columns = scene.grid->columnCount(), last = clip.motions.size() - 1;
-  std::vector<Motion> corners;
-  for (const std::size_t i : std::set{std::size_t{0}, columns - 1, last + 1 - columns, last}) {
-    corners.push_back(clip.motions[i]);
-  }
-  return corners;
 }
 
 /// Returns the events as a list, folded away; each is a button for its frame. Empty without events.
@@ -176,7 +156,7 @@ Html eventList(const std::vector<Event>& events) {
 /// Returns the video with its controls; of a GIF or APNG, which browsers don't tell the frame of,
 /// the picture alone.
 Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
-              const std::string& poster, const std::vector<Event>& events) {
+              const std::string& poster) {
   std::map<std::string, Html> values{{"title", escaped(scene.title)},
                                      {"anchor", addressOf(scene.name)},
                                      {"width", {std::to_string(scene.clip.width)}},
@@ -185,8 +165,9 @@ Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
                                      {"thumbnail", addressOf(figure.thumbnail)},
                                      {"video", addressOf(figure.clip)}};
   if (clip.videos.isMovingPicture) return filled(movingPictureTemplate(), values);
-  values["captions"] = addressOf(webVtt(events, scene.clip.frameRate, clip.frames));
-  values["last"] = {std::to_string(clip.frames - 1)};
+  values["captions"] =
+      addressOf(webVtt(clip.result.events, scene.clip.frameRate, clip.result.frames));
+  values["last"] = {std::to_string(clip.result.frames - 1)};
   return filled(videoTemplate(), values);
 }
 
@@ -201,30 +182,25 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
   figure.clip = nameOf(clip.videos.played);
   figure.frameRate = scene.clip.frameRate;
   figure.pictures = {poster, thumbnail};
-  // A whole grid would have hundreds.
-  const std::vector<Event> events =
-      scene.grid ? std::vector<Event>{} : eventsOf(clip.motions, clip.frames);
   const std::vector<Check> checks = allChecks(clip);
   figure.badge = unmetBadge(checks);
   figure.leftOut = clip.videos.leftOut;
-  figure.section =
-      filled(clipTemplate(),
-             {{"id", escaped(scene.name)},
-              {"anchor", addressOf(scene.name)},
-              {"title", escaped(scene.title)},
-              {"badge", figure.badge},
-              {"caption", escaped(scene.caption)},
-              {"notes", divergenceOf(scene, clip)},
-              {"width", {std::to_string(scene.clip.width)}},
-              {"height", {std::to_string(scene.clip.height)}},
-              {"screen", screenOf(scene, clip, figure, files.nameOfPicture(poster), events)},
-              {"events", eventList(events)},
-              {"settings", settingsTable(clip.motions, scene.clip)},
-              {"checks", foldedChecks(checks, tablesOf(clip))},
-              {"links", linksOf(clip, files)},
-              {"scene", sceneDetails(scene)},
-              {"data",
-               {motionData(plottedMotions(scene, clip), scene, clip.frames, clip.videos.motion)}}});
+  figure.section = filled(clipTemplate(),
+                          {{"id", escaped(scene.name)},
+                           {"anchor", addressOf(scene.name)},
+                           {"title", escaped(scene.title)},
+                           {"badge", figure.badge},
+                           {"caption", escaped(scene.caption)},
+                           {"notes", divergenceOf(scene, clip)},
+                           {"width", {std::to_string(scene.clip.width)}},
+                           {"height", {std::to_string(scene.clip.height)}},
+                           {"screen", screenOf(scene, clip, figure, files.nameOfPicture(poster))},
+                           {"events", eventList(clip.result.events)},
+                           {"settings", settingsTable(clip.motions, scene.clip)},
+                           {"checks", foldedChecks(checks, tablesOf(clip))},
+                           {"links", linksOf(clip, files)},
+                           {"scene", sceneDetails(scene)},
+                           {"data", {clip.result.plots}}});
   return figure;
 }
 

@@ -58,21 +58,16 @@ Check checkOf(const std::string& subject, const scene::Bounds& bounds, double me
           bounds.hold(measured), meaning};
 }
 
-std::vector<Check> checksOf(const Motion& motion) {
-  std::vector<Check> checks;
-  if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {
-    checks.push_back({"diverges_at", "no divergence",
-                      roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false,
-                      std::string(rowOf(scene::Measure::DivergesAt).meaning)});
-  }
-  for (const scene::ExpectationResult& result :
-       check(motion.trajectory, motion.panel.expectations)) {
-    checks.push_back(
-        {std::string(nameOf(result.expectation.measure)) + windowText(result.expectation),
-         expectedText(result.expectation), measuredText(result, kCheckDigits), result.met,
-         std::string(rowOf(result.expectation.measure).meaning)});
-  }
-  return checks;
+Check checkOf(const scene::ExpectationResult& result) {
+  const scene::Expectation& expectation = result.expectation;
+  return {std::string(nameOf(expectation.measure)) + windowText(expectation),
+          expectedText(expectation), measuredText(result, kCheckDigits), result.met,
+          std::string(rowOf(expectation.measure).meaning)};
+}
+
+Check unexpectedDivergence(double time) {
+  return {"diverges_at", "no divergence", roundedText(time, kCheckDigits) + " s", false,
+          std::string(rowOf(scene::Measure::DivergesAt).meaning)};
 }
 
 Html checksTable(const std::string& caption, const std::vector<Check>& checks) {

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "page/html.h"
-#include "page/motion_data.h"
-#include "scene/study_settings.h"
+#include "scene/expectation.h"
 
 namespace rotatebook::page {
 
@@ -22,9 +21,11 @@ struct Check {
   std::string meaning{};  ///< Of the quantity, in plain words.
 };
 
-/// Returns the rows of a motion: its divergence if that was unexpected, and each of its
-/// expectations.
-std::vector<Check> checksOf(const Motion& motion);
+/// Returns the row of an expectation on a motion.
+Check checkOf(const scene::ExpectationResult& result);
+
+/// Returns the row of a motion that diverges though nobody expected it. [s]
+Check unexpectedDivergence(double time);
 
 /// Returns the row of one number.
 Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,

@@ -1,4 +1,4 @@
-// The figure of a map: its picture, and from its array its expectations.
+// The figure of a map: its picture, and from its result its expectations.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,11 +8,9 @@
 #include "image/png_file.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
+#include "page/result_json.h"
 #include "store/fingerprint.h"
 #include "store/map_files.h"
-#include "study/map_files.h"
-#include "study/map_result.h"
-#include "system/read_file.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::page {
@@ -20,28 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the values in the files. Throws InputError if they are another map's.
-study::MapResult readResult(const scene::Scene& scene, const store::MapFiles& files,
-                            const study::MapRuns& runs) {
-  study::MapResult result = emptyResult(scene, runs);
-  const std::string json = system::readFileOrEmpty(files.json);
-  const bool isSame = study::checksumsIn(json).scene == store::mapSceneChecksum(scene);
-  const std::string array = system::readFileOrEmpty(files.npy, study::kLongestNpy);
-  if (isSame && readNpy(array, *scene.map, result)) return result;
-  throw InputError(files.npy.string() +
-                   " doesn't hold the values of the scene's map; make the map again (or give this "
+/// Returns what was expected and measured. Throws InputError unless the files are the scene's map.
+std::vector<Check> readChecks(const scene::Scene& scene, const store::MapFiles& files) {
+  const auto checks =
+      readResult<std::vector<Check>>(files.json, store::sceneChecksum(scene), boundChecksIn);
+  if (checks) return *checks;
+  throw InputError(files.json.string() +
+                   " isn't the result of the scene's map; make the map again (or give this "
                    "command the same --set): " +
-                   remedy("map", scene, files.npy.parent_path()));
-}
-
-std::vector<Check> checksOf(const scene::Scene& scene, const study::MapResult& result,
-                            const study::MapRuns& runs) {
-  std::vector<Check> checks;
-  for (const study::ExpectedOfMap& one : expectedOf(result, *scene.map, runs)) {
-    checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured,
-                             std::string(rowOf(scene.map->measure).meaning)));
-  }
-  return checks;
+                   remedy("map", scene, files.json.parent_path()));
 }
 
 /// Returns the film of the map if there is one. Throws InputError of another map's.
@@ -66,8 +51,7 @@ Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const Figure
   const store::MapFiles files = store::mapFiles(folder, scene.name);
   for (const auto& file : files.plots) requireFile(file, scene, "map");
   for (const auto& file : {files.plain, files.npy, files.json}) requireFile(file, scene, "map");
-  const study::MapRuns runs(scene);
-  const std::vector<Check> checks = checksOf(scene, readResult(scene, files, runs), runs);
+  const std::vector<Check> checks = readChecks(scene, files);
   const image::Image pixels = image::readPng(files.png());
   const std::string picture = files.png().filename().string();
   Figure figure{FigureKind::Map, scene.name, scene.title, files.plain.filename().string()};

@@ -78,7 +78,7 @@ Html rowHtml(const std::string& name, const Html& content) {
 }
 
 /// Returns whether there are more motions than side by side have room: those of a grid.
-bool isGrid(const std::vector<Motion>& motions) {
+bool isGrid(const std::vector<scene::Panel>& motions) {
   constexpr std::size_t kMaxColumns = 6;
   return motions.size() > kMaxColumns;
 }
@@ -95,27 +95,27 @@ std::string listOnce(const Row& texts) {
 /// Returns a row of the `text` of each motion, or of all different ones of a grid; no row if all
 /// texts are empty.
 template <typename Text>
-Html rowOf(const std::string& name, const std::vector<Motion>& motions, const Text& text) {
+Html rowOf(const std::string& name, const std::vector<scene::Panel>& motions, const Text& text) {
   Row row;
   bool any = false;
-  for (const Motion& motion : motions) {
-    row.push_back(text(motion.panel));
+  for (const scene::Panel& motion : motions) {
+    row.push_back(text(motion));
     any = any || !row.back().empty();
   }
   if (isGrid(motions)) row = {listOnce(row)};
   return any ? rowHtml(name, cells("td", row)) : Html{};
 }
 
-Html headOf(const std::vector<Motion>& motions) {
+Html headOf(const std::vector<scene::Panel>& motions) {
   if (motions.size() == 1 || isGrid(motions)) return {};
   Row labels;
-  for (const Motion& motion : motions) labels.push_back(motion.panel.label);
+  for (const scene::Panel& motion : motions) labels.push_back(motion.label);
   return {"<thead><tr><td></td>" + cells("th", labels).text + "</tr></thead>\n"};
 }
 
 }  // namespace
 
-Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings& clip) {
+Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip) {
   Html rows = rowOf("Model", motions, [](const scene::Panel& motion) {
     return std::string(scene::nameOf(scene::kModels, motion.simulation.model));
   });

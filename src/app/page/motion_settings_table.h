@@ -4,12 +4,11 @@
 #include <vector>
 
 #include "page/html.h"
-#include "page/motion_data.h"
 #include "scene/scene.h"
 
 namespace rotatebook::page {
 
 /// Returns a row for each setting, a column for each motion; the last row is the clip's.
-Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings& clip);
+Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip);
 
 }  // namespace rotatebook::page

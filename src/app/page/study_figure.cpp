@@ -1,6 +1,4 @@
 // The figure of a study: its plot, and from its result what was expected and measured.
-#include <limits>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
@@ -8,6 +6,7 @@
 #include "embedded/page.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
+#include "page/result_json.h"
 #include "store/fingerprint.h"
 #include "store/study_files.h"
 #include "system/read_file.h"
@@ -16,39 +15,13 @@ namespace rotatebook::page {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
-
-double measuredIn(const Json& expected) {
-  using Limits = std::numeric_limits<double>;
-  const Json& measured = expected.at("measured");
-  if (measured.is_null()) return Limits::quiet_NaN();
-  return measured == "inf" ? Limits::infinity() : measured.get<double>();
-}
-
-std::optional<double> boundIn(const Json& expected, const char* key) {
-  const Json& bound = expected.at(key);
-  return bound.is_null() ? std::nullopt : std::optional(bound.get<double>());
-}
-
-Check checkIn(const Json& expected) {
-  const std::string quantity = expected.at("quantity"), meaning = expected.at("meaning");
-  return checkOf(quantity, {boundIn(expected, "min"), boundIn(expected, "max")},
-                 measuredIn(expected), meaning);
-}
 
 /// Returns what was expected and measured. Throws InputError unless the file is the result of the
 /// scene's study.
 std::vector<Check> readChecks(const fs::path& file, const scene::Scene& scene) {
-  const Json result =
-      Json::parse(system::readFileOrEmpty(file), nullptr, /*allow_exceptions=*/false);
-  try {
-    if (result.at("scene_xxh128") == store::studySceneChecksum(scene)) {
-      std::vector<Check> checks;
-      for (const Json& expected : result.at("expectations")) checks.push_back(checkIn(expected));
-      return checks;
-    }
-  } catch (const Json::exception&) {  // It is no result
-  }
+  const auto checks =
+      readResult<std::vector<Check>>(file, store::studySceneChecksum(scene), boundChecksIn);
+  if (checks) return *checks;
   throw InputError(file.string() +
                    " isn't the result of the scene's study; run the study again (or give this "
                    "command the same --set): " +

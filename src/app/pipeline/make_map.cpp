@@ -106,12 +106,12 @@ MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const sto
   return made;
 }
 
-std::vector<std::string> writeMap(const scene::Scene& scene, const MapResult& result,
-                                  const store::MapFiles& files) {
+std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRuns& runs,
+                                  const MapResult& result, const store::MapFiles& files) {
   const std::string array = npyOf(result, *scene.map);
   const std::string json =
-      mapJson(result, scene,
-              {store::mapFingerprint(scene), store::mapSceneChecksum(scene), checksumOf(array)});
+      mapJson(result, scene, runs,
+              {store::mapFingerprint(scene), store::sceneChecksum(scene), checksumOf(array)});
   std::vector<std::string> written;
   for (const fs::path& file : files.plots) written.push_back(file.string());
   written.insert(written.end(), {files.plain.string(), files.npy.string(), files.json.string()});

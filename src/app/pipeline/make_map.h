@@ -33,7 +33,7 @@ MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const sto
 
 /// Writes the pictures, the values and their axes, and removes the tiles. Returns the files that
 /// were written. Throws MachineError.
-std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapResult& result,
-                                  const store::MapFiles& files);
+std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRuns& runs,
+                                  const study::MapResult& result, const store::MapFiles& files);
 
 }  // namespace rotatebook::pipeline

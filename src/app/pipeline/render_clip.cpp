@@ -200,6 +200,7 @@ class Render {
 
   void finish(const std::vector<OpenOutput>& outputs) {
     store::writeTables(result_.csvs, scene_, motion_);
+    store::writeResult(result_.files.json, scene_, motion_);
     if (!options_.isPart()) {
       picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
                            scene::isTransparent(scene_), result_.files.poster);

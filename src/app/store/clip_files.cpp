@@ -136,6 +136,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
           .sceneCopy = frames / kSceneCopyName,
           .videoStem = frames,
           .csv = folder / (name + ".csv"),
+          .json = folder / (name + ".json"),
           .poster = folder / (name + ".poster.png"),
           .thumbnail = folder / (name + ".thumbnail.png")};
 }
@@ -151,6 +152,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, const ClipPart& /*part*/) {
   ClipFiles files = clipFiles(folder, name);
   files.csv.clear();
+  files.json.clear();
   files.poster.clear();
   return files;
 }
@@ -173,6 +175,7 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
 std::vector<fs::path> outputFiles(const ClipFiles& files, const scene::Scene& scene,
                                   const std::vector<video::VideoFormat>& formats) {
   std::vector<fs::path> outputs = csvFiles(files.csv, scene);
+  if (!files.json.empty()) outputs.push_back(files.json);
   if (!files.poster.empty()) outputs.push_back(files.poster);
   for (const video::VideoFormat format : formats) outputs.push_back(files.video(format));
   return outputs;

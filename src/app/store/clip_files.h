@@ -80,6 +80,7 @@ struct ClipFiles {
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
   std::filesystem::path videoStem;           ///< NAME, to which video() appends an ending
   std::filesystem::path csv;                 ///< NAME.csv, or empty; see csvFiles() for panels
+  std::filesystem::path json;                ///< NAME.json, timeline::clipJson(); empty without csv
   std::filesystem::path poster;              ///< NAME.poster.png; empty for a part
   std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 

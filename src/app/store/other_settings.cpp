@@ -37,7 +37,8 @@ std::string framesOfOtherSettings(const ClipFiles& files, const std::optional<Ma
          '/' + (knowsSettings(there) ? "" : kUnknownSettings);
 }
 
-/// Returns whether a render of the clip `clip` gives `file` its name: NAME.csv, NAME_LABEL.csv.
+/// Returns whether a render of the clip `clip` gives `file` its name: NAME.csv, NAME_LABEL.csv,
+/// NAME.json.
 bool isNamedAfter(const std::string& clip, const fs::path& file) {
   const std::string name = file.filename().string();
   return name.starts_with(clip + '.') || name.starts_with(clip + '_');
@@ -52,10 +53,12 @@ bool isLeftBy(const Manifest& manifest, const fs::path& file) {
   return false;
 }
 
-/// Returns whether `output` is the table of a part of `clip`, whose manifest lists a whole clip's
-/// files alone.
+/// Returns whether `output` is the table or the result of a part of `clip`, whose manifest lists a
+/// whole clip's files alone.
 bool isTableOfPart(const std::string& clip, const Manifest& manifest, const fs::path& output) {
-  return !manifest.finished && output.filename() == clip + ".csv" && fs::exists(output);
+  const fs::path name = output.filename();
+  return !manifest.finished && (name == clip + ".csv" || name == clip + ".json") &&
+         fs::exists(output);
 }
 
 }  // namespace

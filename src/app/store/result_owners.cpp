@@ -16,6 +16,7 @@
 #include "study/map_files.h"
 #include "study/study_csv.h"
 #include "system/read_file.h"
+#include "timeline/clip_json.h"
 #include "timeline/clip_tables.h"
 #include "video/clip_reader.h"
 
@@ -69,6 +70,11 @@ bool isFilm(const fs::path& file) {
 /// Returns whether a file is the table of a clip's motion or grid, by its header.
 bool isTable(const fs::path& csv) {
   return csv.extension() == ".csv" && timeline::isTableHeader(headerOf(csv));
+}
+
+/// Returns whether a file is the result of a clip, by its beginning.
+bool isResult(const fs::path& json) {
+  return json.extension() == ".json" && headerOf(json).starts_with(timeline::kClipJsonHead);
 }
 
 /// Returns whether files of this ending hold records.
@@ -146,9 +152,10 @@ void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& 
   for (const fs::path& file : outputs) {
     std::error_code missing;
     if (!fs::is_regular_file(file, missing)) continue;
-    const bool isKnown = file.extension() == ".csv" ? isTable(file)
-                         : holdsRecords(file)       ? looksLikeRecord(recordIn(file))
-                                                    : hasTable;
+    const bool isKnown = file.extension() == ".csv"    ? isTable(file)
+                         : file.extension() == ".json" ? isResult(file)
+                         : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
+                                                       : hasTable;
     if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;
     throw InputError(file.string() + " was left by no render, and " + remedy);
   }

@@ -1,6 +1,8 @@
 #include "store/tables.h"
 
+#include "store/fingerprint.h"
 #include "system/atomic_file.h"
+#include "timeline/clip_json.h"
 #include "timeline/clip_tables.h"
 
 namespace rotatebook::store {
@@ -12,6 +14,12 @@ void writeTables(const std::vector<std::filesystem::path>& files, const scene::S
     timeline::writeTable(scene, motion, i, [&file](std::string_view piece) { file.write(piece); });
     file.commit();
   }
+}
+
+void writeResult(const std::filesystem::path& file, const scene::Scene& scene,
+                 const timeline::ClipMotion& motion) {
+  if (file.empty()) return;
+  system::writeFileAtomically(file, clipJson(scene, motion, sceneChecksum(scene)) + '\n');
 }
 
 }  // namespace rotatebook::store

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "physics/trajectory.h"
 #include "scene/expectation.h"
@@ -25,6 +26,11 @@ std::string measuredText(const ExpectationResult& result, int digits = kMeasured
 
 /// Returns one number that `bounds` apply to, rounded in the same way; "nothing" for NaN.
 std::string measuredText(double value, const Expectation& bounds, int digits = kMeasuredDigits);
+
+/// Returns one number that bounds apply to as a JSON object: {"quantity": `subject`, "meaning",
+/// "min", "max", "measured", "met"}; infinity is "inf", NaN null.
+std::string boundsJson(const std::string& subject, std::string_view meaning, const Bounds& bounds,
+                       double measured);
 
 /// Returns whether the motion diverges although it has expectations, none of them on diverges_at.
 bool divergesUnexpectedly(const physics::Trajectory& trajectory,

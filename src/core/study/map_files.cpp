@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/number_text.h"
+#include "scene/expectation_text.h"
 #include "scene/names.h"
 #include "study/study_csv.h"
 
@@ -62,19 +63,6 @@ std::string markJson(const MarkedValue& marked) {
       .text();
 }
 
-std::string factsJson(const MapFacts& facts) {
-  return JsonObject()
-      .addInteger("runs", facts.runs)
-      .addInteger("with_value", facts.withValue())
-      .addInteger("never", facts.never)
-      .addInteger("diverged", facts.diverged)
-      .addInteger("refused", facts.refused)
-      .addNumber("smallest", facts.smallest)
-      .addNumber("largest", facts.largest)
-      .addNumber("mean", facts.mean)
-      .text();
-}
-
 }  // namespace
 
 std::string bytesOf(const std::vector<double>& values) {
@@ -117,7 +105,29 @@ bool readNpy(std::string_view bytes, const MapSettings& map, MapResult& result) 
   return true;
 }
 
-std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapChecksums& sums) {
+std::string factsJson(const MapFacts& facts) {
+  return JsonObject()
+      .addInteger("runs", facts.runs)
+      .addInteger("with_value", facts.withValue())
+      .addInteger("never", facts.never)
+      .addInteger("diverged", facts.diverged)
+      .addInteger("refused", facts.refused)
+      .addNumber("smallest", facts.smallest)
+      .addNumber("largest", facts.largest)
+      .addNumber("mean", facts.mean)
+      .text();
+}
+
+std::string expectationsJson(const std::vector<ExpectedOfMap>& expected,
+                             const scene::MapSettings& map) {
+  return jsonArrayOf(expected, [&](const ExpectedOfMap& one) {
+    return scene::boundsJson(one.subject(), rowOf(map.measure).meaning, one.expectation.bounds,
+                             one.measured);
+  });
+}
+
+std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
+                    const MapChecksums& sums) {
   const MapSettings& map = *scene.map;
   return JsonObject()
              .addString("name", scene.name)
@@ -133,6 +143,7 @@ std::string mapJson(const MapResult& result, const scene::Scene& scene, const Ma
              .addString("-inf", "diverged")
              .add("facts", factsJson(factsOf(result)))
              .add("marks", jsonArrayOf(result.marks, markJson))
+             .add("expectations", expectationsJson(expectedOf(result, map, runs), map))
              .addString("fingerprint", sums.fingerprint)
              .addString("scene_xxh128", sums.scene)
              .addString("npy_xxh128", sums.npy)

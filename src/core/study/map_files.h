@@ -32,13 +32,20 @@ std::vector<double> doublesOf(std::string_view bytes);
 /// Checksums that a map's JSON states.
 struct MapChecksums {
   std::string fingerprint;  ///< Of all that the values depend on.
-  std::string scene;        ///< Of what of the scene they depend on.
+  std::string scene;        ///< Of the whole scene.
   std::string npy;          ///< Of the array's file.
 };
 
-/// Returns the axes, the panels, the meaning of the values, the numbers of the whole map and its
-/// marks as JSON.
-std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapChecksums& sums);
+/// Returns the numbers of a whole map as a JSON object.
+std::string factsJson(const MapFacts& facts);
+/// Returns what was expected of a map, and measured, as a JSON array of scene::boundsJson().
+std::string expectationsJson(const std::vector<ExpectedOfMap>& expected,
+                             const scene::MapSettings& map);
+
+/// Returns the axes, the panels, the meaning of the values, the numbers of the whole map, its marks
+/// and what was expected of it as JSON.
+std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
+                    const MapChecksums& sums);
 /// Returns the checksums in a text that mapJson() wrote; those that another text lacks are empty.
 MapChecksums checksumsIn(std::string_view json);
 

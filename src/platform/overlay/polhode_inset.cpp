@@ -15,7 +15,6 @@
 #include "overlay/drawn_overlay.h"
 #include "overlay/label_placement.h"
 #include "physics/motion_start.h"
-#include "rigid/inertia.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -122,12 +121,13 @@ std::vector<std::size_t> freeStarts(const OverlayContext& context) {
 /// Returns the angular momenta of all samples along the principal axes, in units of that of sample
 /// `start` and no longer than kFarthest.
 std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
-                                       const rigid::PrincipalAxes& inertia, std::size_t start) {
+                                       const Eigen::Matrix3d& bodyFromPrincipal,
+                                       std::size_t start) {
   const auto& samples = context.trajectory.samples;
   const double unit = samples[start].angularMomentum.norm();
   std::vector<Eigen::Vector3d> momenta;
   for (const physics::Sample& sample : samples) {
-    Eigen::Vector3d momentum = inertia.bodyFromPrincipal.transpose() *
+    Eigen::Vector3d momentum = bodyFromPrincipal.transpose() *
                                (sample.attitude.conjugate() * sample.angularMomentum);
     if (unit > 0) momentum /= unit;
     const double size = momentum.stableNorm();
@@ -140,12 +140,13 @@ std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
 /// body that moves freely from sample `start` on.
 class FreePolhode {
  public:
-  FreePolhode(const OverlayContext& context, const Box& box, std::size_t start)
+  FreePolhode(const OverlayContext& context, const Box& box, const Eigen::Vector3d& moments,
+              const Eigen::Matrix3d& bodyFromPrincipal, std::size_t start)
       : context_(context),
         start_(start),
-        inertia_(physics::modelInertia(context.scene.motion())),
-        momenta_(momentaOf(context, inertia_, start)),
-        surfaces_(inertia_.moments, momenta_[start]),
+        bodyFromPrincipal_(bodyFromPrincipal),
+        momenta_(momentaOf(context, bodyFromPrincipal, start)),
+        surfaces_(moments, momenta_[start]),
         ellipsoid_(quadricOf(surfaces_.halfAxes())) {
     const double titleRow = 1.2 * context.scale.smallLetters;
     centre_ = {box.x + box.width / 2, box.y + (titleRow + box.height) / 2};
@@ -296,7 +297,7 @@ class FreePolhode {
       canvas.line(std::array{positionOf(tipOf(i) * 0.92), positionOf(tipOf(i))},
                   {kAxisColours[i], 0.5 * scale.line, 0.9, 0});
     }
-    const bool principal = !inertia_.bodyFromPrincipal.isIdentity(1e-9);
+    const bool principal = !bodyFromPrincipal_.isIdentity(1e-9);
     for (std::size_t i = 0; i < 3; ++i) {
       style.colour = kAxisColours[i];
       const std::string name(1, (principal ? "123" : "xyz")[i]);
@@ -308,7 +309,7 @@ class FreePolhode {
 
   OverlayContext context_;
   std::size_t start_;
-  rigid::PrincipalAxes inertia_;
+  Eigen::Matrix3d bodyFromPrincipal_;
   std::vector<Eigen::Vector3d> momenta_;  // of each sample, see momentaOf()
   MomentumSurfaces surfaces_;
   Eigen::Matrix3d ellipsoid_;  // see quadricOf()
@@ -321,7 +322,9 @@ class FreePolhode {
 class PolhodeInset final : public DrawnOverlay {
  public:
   PolhodeInset(const OverlayContext& context, const Box& box) {
-    for (const std::size_t start : freeStarts(context)) insets_.emplace_back(context, box, start);
+    const auto inertia = physics::modelInertia(context.scene.motion());
+    for (const std::size_t start : freeStarts(context))
+      insets_.emplace_back(context, box, inertia.moments, inertia.bodyFromPrincipal, start);
   }
 
   void draw(const View& view) override {

@@ -97,17 +97,5 @@ TEST(ReportExpectations, SaysWhenAMotionDivergesAsExpectedOrWithoutExpectations)
             "  the motion diverges at 1.25 s, after 2 frames\n");
 }
 
-TEST(ExpectationJson, HoldsBoundsAndMeasuredValues) {
-  EXPECT_EQ(expectationJson({{Measure::Stretch, 0.5, {}, 1.25, {}, 3, 4.5}, 0.1, 1.3, false, 4}),
-            R"({"quantity": "stretch", "from_s": 3, "to_s": 4.5, "min": 0.5, "max": null, )"
-            R"("rises_to": 1.25, "falls_to": null, "lowest": 0.1, "highest": 1.3, "met": false, )"
-            R"("ends_early_s": 4})");
-  EXPECT_EQ(
-      expectationJson({{.measure = Measure::DivergesAt, .max = 2}, kInfinity, kInfinity, false}),
-      R"({"quantity": "diverges_at", "from_s": 0, "to_s": null, "min": null, "max": 2, )"
-      R"("rises_to": null, "falls_to": null, "lowest": null, "highest": null, )"
-      R"("met": false, "ends_early_s": null})");
-}
-
 }  // namespace
 }  // namespace rotatebook::cli

@@ -40,9 +40,8 @@ class GridCommands : public ProgramTest {
 TEST_F(GridCommands, RenderLeavesOneTableWithARowForEachBook) {
   const ChildResult result = run({"render", "grid.toml", "--set", "expect={}"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(
-      result.output,
-      HasSubstr("out/grid.mp4, out/grid.csv, out/grid.poster.png and 6 frames in out/grid/\n"));
+  EXPECT_THAT(result.output, HasSubstr("out/grid.mp4, out/grid.csv, out/grid.json, "
+                                       "out/grid.poster.png and 6 frames in out/grid/\n"));
   const std::string table = read("out/grid.csv");
   EXPECT_THAT(table, StartsWith("initial.tilt,simulation.substeps,time_s,half_turns,"));
   EXPECT_EQ(countOf("\n", table), 7);

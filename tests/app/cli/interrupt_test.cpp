@@ -148,7 +148,7 @@ TEST_F(Killed, RenderGoesOnToTheSameFiles) {
   const ChildResult result = render("killed", {"--resume"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, ContainsRegex("\n  kept [0-9]+ frames of an earlier run\n  wrote "));
-  EXPECT_EQ(expectSameFiles("whole", "killed"), 120 + 6);
+  EXPECT_EQ(expectSameFiles("whole", "killed"), 120 + 7);
 }
 
 TEST_F(Killed, RenderThatIsDoneIsSkipped) {

@@ -109,12 +109,14 @@ TEST_F(Json, OfSimulateHasWhatWasMeasured) {
   expectKeys(result.output, "name title tables motions");
   EXPECT_THAT(
       result.output,
-      AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("tables": [{"path": "t.csv", "rows": 12})"),
-            HasSubstr(R"("label": null, "model": "quaternion", "integrator": "rk4", )"
-                      R"("half_turns": 0, "flips_s": [], "energy_ratio": {"lowest": )"),
-            HasSubstr(R"("diverged_at_s": null, "judged": true, "met": false, )"
-                      R"("expectations": [{"quantity": "half_turns", "from_s": 0, )"
-                      R"("to_s": null, "min": 1, "max": 3, )")));
+      AllOf(
+          HasSubstr(kTitleInJson), HasSubstr(R"("tables": [{"path": "t.csv", "rows": 12})"),
+          HasSubstr(R"("label": null, "model": "quaternion", "integrator": "rk4", )"
+                    R"("half_turns": 0, "flips_s": [], "energy_ratio": {"lowest": )"),
+          HasSubstr(
+              R"("diverged_at_s": null, "diverges_unexpectedly": false, "judged": true, "met": false, )"
+              R"("expectations": [{"quantity": "half_turns", "from_s": 0, )"
+              R"("to_s": null, "min": 1, "max": 3, )")));
 }
 
 TEST_F(Json, OfSimulateIsRefusedWhereTheTableIsPrinted) {
@@ -188,14 +190,16 @@ TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {
   expectKeys(outputs[0], "interrupted scenes");
   EXPECT_THAT(
       outputs[0],
-      AllOf(StartsWith(R"({"interrupted": false, "scenes": [{"name": "b", )"),
-            HasSubstr(R"({"name": "tiny", "title": "Tiny", "width": 64, "height": 36, )"
-                      R"("frames_per_second": 60, "duration_s": 0.2, "renderer": ")"),
-            HasSubstr(R"("already_done": false, "interrupted": false, "error": null, )"
-                      R"("frames_written": 12, "frames_kept": 0, "files": ["out/tiny.mp4", )"
-                      R"("out/tiny.csv", "out/tiny.poster.png"], "frame_folder": "out/tiny/", )"
-                      R"("replaced": [], "kept_of_other_settings": [], "note": null, )"
-                      R"("motions": [{"label": null, )")));
+      AllOf(
+          StartsWith(R"({"interrupted": false, "scenes": [{"name": "b", )"),
+          HasSubstr(R"({"name": "tiny", "title": "Tiny", "width": 64, "height": 36, )"
+                    R"("frames_per_second": 60, "duration_s": 0.2, "renderer": ")"),
+          HasSubstr(
+              R"("already_done": false, "interrupted": false, "error": null, )"
+              R"("frames_written": 12, "frames_kept": 0, "files": ["out/tiny.mp4", )"
+              R"("out/tiny.csv", "out/tiny.json", "out/tiny.poster.png"], "frame_folder": "out/tiny/", )"
+              R"("replaced": [], "kept_of_other_settings": [], "note": null, )"
+              R"("motions": [{"label": null, )")));
   EXPECT_THAT(outputs[0], HasSubstr(kTitleInJson));
   const ChildResult again = run({"render", "tiny.toml", "--json", "--resume"});
   EXPECT_THAT(again.output, HasSubstr(R"("already_done": true, )"));

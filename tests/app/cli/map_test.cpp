@@ -80,7 +80,7 @@ TEST_F(MapCommand, PrintsJson) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output,
               AllOf(StartsWith("{\"interrupted\": false, \"maps\": [{\"name\": \"turns\""),
-                    HasSubstr("\"facts\": {\"runs\": 4000, \"never\": 0"),
+                    HasSubstr("\"facts\": {\"runs\": 4000, \"with_value\": 4000, \"never\": 0"),
                     HasSubstr("\"quantity\": \"largest value\""), EndsWith("}]}]}\n")));
 }
 

@@ -94,13 +94,15 @@ TEST_F(PageCommand, NotesWhatItReplacesOfOthers) {
   EXPECT_THAT(page().error, IsEmpty());
 }
 
-TEST_F(PageCommand, RefusesAPosterOfOtherSettings) {
+TEST_F(PageCommand, RefusesTheResultOfOtherSettings) {
   run({"render", "tiny.toml", "--no-png", "--size", "640x360", "--no-mp4", "--set",
        "camera.field_of_view_deg=60"});
   const ChildResult result = page();
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error, HasSubstr("out/tiny.poster.png: it was made from another scene or with "
-                                      "other settings; render it again"));
+  EXPECT_THAT(
+      result.error,
+      HasSubstr("out/tiny.json was made from another scene or with other settings; render it "
+                "again"));
 }
 
 TEST_F(PageCommand, RefusesPicturesOfAnotherSize) {

@@ -36,9 +36,8 @@ class PanelCommands : public ProgramTest {
 TEST_F(PanelCommands, RenderReportsEachPanel) {
   const ChildResult result = run({"render", "pair.toml", "--no-png"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(
-      result.output,
-      HasSubstr("out/pair.mp4, out/pair_one.csv, out/pair_two.csv and out/pair.poster.png\n"));
+  EXPECT_THAT(result.output, HasSubstr("out/pair.mp4, out/pair_one.csv, out/pair_two.csv, "
+                                       "out/pair.json and out/pair.poster.png\n"));
   EXPECT_THAT(withoutDistances(result.output),
               EndsWith("  one:\n"
                        "  met      half_turns: expected at most 0; measured 0\n"

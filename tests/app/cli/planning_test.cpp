@@ -34,7 +34,8 @@ TEST(Planning, CountsTheFramesThatThereAre) {
   EXPECT_EQ(plan.build, system::buildId());
   std::vector<std::string> names;
   for (const auto& output : plan.scenes.at(0).outputs) names.push_back(output.filename());
-  EXPECT_EQ(names, (std::vector<std::string>{"clip.csv", "clip.poster.png", "clip.mp4"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"clip.csv", "clip.json", "clip.poster.png", "clip.mp4"}));
 }
 
 TEST(Planning, CountsTheTilesOfAMapAndMeasuresThem) {

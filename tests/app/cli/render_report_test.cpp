@@ -53,7 +53,7 @@ TEST(RenderReport, IsJson) {
       R"("frames_per_second": 29.97002997002997, "duration_s": 12, "renderer": "a card", )"
       R"("encoders": "libx264", "already_done": false, "interrupted": false, )"
       R"("error": null, "frames_written": 100000, "frames_kept": 5, )"
-      R"("files": ["out/tiny.mp4", "out/tiny.csv", "out/tiny.poster.png"], )"
+      R"("files": ["out/tiny.mp4", "out/tiny.csv", "out/tiny.json", "out/tiny.poster.png"], )"
       R"("frame_folder": "out/tiny/", "replaced": [], )"
       R"("kept_of_other_settings": ["out/tiny.gif"], "note": null, )"
       R"("motions": []}]})"
@@ -128,10 +128,11 @@ TEST(RenderReport, SaysOnceThatSettingsAreUnknown) {
 }
 
 TEST(RenderReport, ListsWhatWasWrittenAndKept) {
-  EXPECT_EQ(textOf(exampleRender()),
-            "  kept 5 frames of an earlier run\n"
-            "  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 100000 frames in "
-            "out/tiny/\n");
+  EXPECT_EQ(
+      textOf(exampleRender()),
+      "  kept 5 frames of an earlier run\n"
+      "  wrote out/tiny.mp4, out/tiny.csv, out/tiny.json, out/tiny.poster.png and 100000 frames in "
+      "out/tiny/\n");
   RenderedScene none{exampleRender().scene};
   none.interrupted = true;
   EXPECT_EQ(textOf(none), "tiny: interrupted while simulating; nothing was written\n");

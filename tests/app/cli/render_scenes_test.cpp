@@ -37,15 +37,15 @@ TEST_F(RenderScenes, AreTheSameInBytesHoweverManyGoOnAtATime) {
   const ChildResult one = render("1", {"-o", "one"}), three = render("3", {"-o", "three"});
   EXPECT_EQ(one.status, 0) << one.error;
   EXPECT_EQ(three.status, 0) << three.error;
-  // Frames and what tells of them, MP4, poster and table; a panel's.
-  EXPECT_EQ(expectSameFiles("one", "three"), 3 * (12 + 6) + 1);
+  // Frames and what tells of them, MP4, poster, table and result; a panel's.
+  EXPECT_EQ(expectSameFiles("one", "three"), 3 * (12 + 7) + 1);
 }
 
 TEST_F(RenderScenes, AreReportedWholeAndInTheirOrder) {
   const ChildResult result = render("3", {"--no-png"});
   EXPECT_THAT(result.output, StartsWith("3 scenes at a time\ntiny: Tiny\n  64x36 at "));
   const std::string output = withoutDistances(result.output);
-  EXPECT_THAT(output, HasSubstr("\n  wrote out/tiny.mp4, out/tiny.csv and "
+  EXPECT_THAT(output, HasSubstr("\n  wrote out/tiny.mp4, out/tiny.csv, out/tiny.json and "
                                 "out/tiny.poster.png\nlarge: Tiny\n"));
   EXPECT_THAT(output, HasSubstr("out/large.poster.png\npanels: Panels\n"));
 }

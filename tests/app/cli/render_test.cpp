@@ -35,8 +35,8 @@ std::vector<std::string> operator+(std::vector<std::string> words,
 TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
   const ChildResult result = run({"render", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
-                                   "out/tiny/", "out/tiny/frame_00000.png",
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.json", "out/tiny.mp4",
+                                   "out/tiny.poster.png", "out/tiny/", "out/tiny/frame_00000.png",
                                    "out/tiny/frame_00001.png", "out/tiny/frame_00002.png",
                                    "out/tiny/frame_00003.png", "out/tiny/frame_00004.png",
                                    "out/tiny/frame_00005.png", "out/tiny/frame_00006.png",
@@ -111,17 +111,20 @@ TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
             HasSubstr("; encoder libx264\n  threads: 1 draws (a software rasteriser has its own), "
                       "1 composes, "),
             HasSubstr(" PNGs, 1 encodes; cores: "),
-            EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 12 frames in "
+            EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.json, out/tiny.poster.png and "
+                     "12 frames in "
                      "out/tiny/\n")));
 }
 
 TEST_F(RenderCommand, LeavesTheFramesOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
-                                   "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
-  EXPECT_THAT(withoutDistances(result.output),
-              EndsWith("  wrote out/tiny.mp4, out/tiny.csv and out/tiny.poster.png\n"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.json", "out/tiny.mp4",
+                                   "out/tiny.poster.png", "out/tiny/", "out/tiny/frames.manifest",
+                                   "out/tiny/scene.toml"));
+  EXPECT_THAT(
+      withoutDistances(result.output),
+      EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.json and out/tiny.poster.png\n"));
 }
 
 TEST_F(RenderCommand, SaysHowFarTheMotionWasFromTheExactOne) {
@@ -144,11 +147,12 @@ TEST_F(RenderCommand, MakesTheVideosThatAreAskedFor) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png", "--format", "webm,gif,apng"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.apng", "out/tiny.csv", "out/tiny.gif",
-                                   "out/tiny.poster.png", "out/tiny.webm", "out/tiny/",
-                                   "out/tiny/frames.manifest", "out/tiny/scene.toml"));
-  EXPECT_THAT(result.output, AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n"),
-                                   HasSubstr("  wrote out/tiny.webm, out/tiny.gif, out/tiny.apng, "
-                                             "out/tiny.csv and out/tiny.poster.png\n")));
+                                   "out/tiny.json", "out/tiny.poster.png", "out/tiny.webm",
+                                   "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n"),
+                    HasSubstr("  wrote out/tiny.webm, out/tiny.gif, out/tiny.apng, "
+                              "out/tiny.csv, out/tiny.json and out/tiny.poster.png\n")));
 }
 
 TEST_F(RenderCommand, RefusesAFormatThatThereIsNot) {
@@ -176,11 +180,11 @@ TEST_F(RenderCommand, RefusesVideosThatLoseATransparentBackground) {
 TEST_F(RenderCommand, LeavesTheClipOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny/", "out/tiny/frame_00000.png",
-                                   "out/tiny/frames.manifest", "out/tiny/frames.xxh128",
-                                   "out/tiny/scene.toml"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.json", "out/tiny/",
+                                   "out/tiny/frame_00000.png", "out/tiny/frames.manifest",
+                                   "out/tiny/frames.xxh128", "out/tiny/scene.toml"));
   EXPECT_THAT(withoutDistances(result.output),
-              EndsWith("  wrote out/tiny.csv and 1 frame in out/tiny/\n"));
+              EndsWith("  wrote out/tiny.csv, out/tiny.json and 1 frame in out/tiny/\n"));
 }
 
 TEST_F(RenderCommand, DrawsARangeThatIsTheSameAsInTheWholeClip) {
@@ -191,11 +195,11 @@ TEST_F(RenderCommand, DrawsARangeThatIsTheSameAsInTheWholeClip) {
   for (const std::string& name : files()) {
     if (name.starts_with("part/")) parts.push_back(name);
   }
-  EXPECT_THAT(parts,
-              ElementsAre("part/", "part/tiny.csv", "part/tiny/", "part/tiny/frame_00002.png",
-                          "part/tiny/frame_00003.png", "part/tiny/frame_00004.png",
-                          "part/tiny/frames.manifest", "part/tiny/frames.xxh128",
-                          "part/tiny/scene.toml", "part/tiny_00002-00005.mp4"));
+  EXPECT_THAT(parts, ElementsAre("part/", "part/tiny.csv", "part/tiny.json", "part/tiny/",
+                                 "part/tiny/frame_00002.png", "part/tiny/frame_00003.png",
+                                 "part/tiny/frame_00004.png", "part/tiny/frames.manifest",
+                                 "part/tiny/frames.xxh128", "part/tiny/scene.toml",
+                                 "part/tiny_00002-00005.mp4"));
   EXPECT_EQ(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00002.png"));
   EXPECT_NE(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00003.png"));
   EXPECT_EQ(video::testing::decodeVideo(folder() / "part/tiny_00002-00005.mp4").frames.size(), 3U);
@@ -216,9 +220,9 @@ TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
 TEST_F(RenderCommand, MakesTheVideosThatAreNamed) {
   const ChildResult result = run({"render", "tiny.toml", "-o", "clips/a.mp4", "-o", "clips/a.gif"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("clips/", "clips/a.csv", "clips/a.gif", "clips/a.mp4",
-                                   "clips/a.poster.png", "clips/a/", "clips/a/frames.manifest",
-                                   "clips/a/scene.toml"));
+  EXPECT_THAT(files(), ElementsAre("clips/", "clips/a.csv", "clips/a.gif", "clips/a.json",
+                                   "clips/a.mp4", "clips/a.poster.png", "clips/a/",
+                                   "clips/a/frames.manifest", "clips/a/scene.toml"));
   EXPECT_EQ(run({"render", "tiny.toml", "-o", "b.webm"}).status, 0);
   EXPECT_TRUE(has("b.webm") && has("b.csv"));
 }
@@ -272,10 +276,11 @@ TEST_F(RenderCommand, RendersSeveralScenes) {
   write("b.toml", kTiny);
   const ChildResult result = run({"render", "tiny.toml", "b.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("b.toml", "out/", "out/b.csv", "out/b.mp4", "out/b.poster.png",
-                                   "out/b/", "out/b/frames.manifest", "out/b/scene.toml",
-                                   "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
-                                   "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
+  EXPECT_THAT(files(),
+              ElementsAre("b.toml", "out/", "out/b.csv", "out/b.json", "out/b.mp4",
+                          "out/b.poster.png", "out/b/", "out/b/frames.manifest", "out/b/scene.toml",
+                          "out/tiny.csv", "out/tiny.json", "out/tiny.mp4", "out/tiny.poster.png",
+                          "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
 }
 
 TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {

@@ -65,10 +65,10 @@ TEST_F(RerunCommand, MakesPartsInTheirFormatWithFramesIfAsked) {
       run({"verify", "out/tiny_00003-00005.webm", "--again", "again", "--png"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(filesBelow("again/"),
-              ElementsAre("again/tiny.csv", "again/tiny/", "again/tiny/frame_00003.png",
-                          "again/tiny/frame_00004.png", "again/tiny/frames.manifest",
-                          "again/tiny/frames.xxh128", "again/tiny/scene.toml",
-                          "again/tiny_00003-00005.webm"));
+              ElementsAre("again/tiny.csv", "again/tiny.json", "again/tiny/",
+                          "again/tiny/frame_00003.png", "again/tiny/frame_00004.png",
+                          "again/tiny/frames.manifest", "again/tiny/frames.xxh128",
+                          "again/tiny/scene.toml", "again/tiny_00003-00005.webm"));
   EXPECT_TRUE(sameBytes(read("again/tiny_00003-00005.webm"), read("out/tiny_00003-00005.webm")));
 }
 

@@ -62,11 +62,11 @@ const Command kMakeMap{"map", "m.toml"};
 TEST_F(SameNames, OfAClipAndAMap) {
   makeScenes({"m"});
   expectKept("out/m.csv", kMakeMap, kRender, "the map m");
-  expectKept("out/m.csv", kRender, kMakeMap, "the clip m");
+  expectKept("out/m.json", kRender, kMakeMap, "the clip m");
   expectKept("out/m.csv", kMakeMap, {"simulate", "m.toml", "--csv", "out/m.csv"}, "the map m");
   expectKept("out/m.csv", kMakeMap,
              {"submit", "render", "m.toml", "--plan", "list", "--chunk", "9"}, "the map m");
-  expectKept("out/m.csv", kRender, {"submit", "map", "m.toml", "--plan", "list", "--chunk", "9"},
+  expectKept("out/m.json", kRender, {"submit", "map", "m.toml", "--plan", "list", "--chunk", "9"},
              "the clip m");
 }
 

@@ -13,25 +13,24 @@ using scene::Measure;
 
 /// Returns the table's row about a motion with these tilts, and bounds on them.
 Check checkOf(const std::vector<double>& tilts, Expectation bounds) {
-  Motion motion;
-  for (const double tilt : tilts) motion.trajectory.samples.emplace_back().tiltDeg = tilt;
+  physics::Trajectory trajectory;
+  for (const double tilt : tilts) trajectory.samples.emplace_back().tiltDeg = tilt;
   bounds.measure = Measure::TiltDeg;
-  motion.panel.expectations = {bounds};
-  return checksOf(motion).at(0);
+  return page::checkOf(scene::check(trajectory, std::vector{bounds}).at(0));
 }
 
 std::string measured(const std::vector<double>& tilts, const Expectation& bounds) {
   return checkOf(tilts, bounds).measured;
 }
 
-TEST(ChecksOf, ShowsFourDigitsAtMost) {
+TEST(CheckOf, ShowsFourDigitsAtMost) {
   EXPECT_EQ(measured({0.2425059}, {.max = 1}), "0.2425");
   EXPECT_EQ(measured({0.2425059, 131.2345678}, {.max = 180}), "0.2425 to 131.2");
   EXPECT_EQ(measured({0.9999999, 1.0000001}, {.min = 0.999999, .max = 1.000001}), "1");
   EXPECT_EQ(measured({2.99999}, {.max = 3}), "3");
 }
 
-TEST(ChecksOf, ShowsMoreDigitsWhereRoundingWouldCrossABound) {
+TEST(CheckOf, ShowsMoreDigitsWhereRoundingWouldCrossABound) {
   EXPECT_EQ(measured({3.00001}, {.max = 3}), "3.00001");
   EXPECT_EQ(measured({2.999961, 4}, {.min = 3}), "2.99996 to 4");
   EXPECT_EQ(measured({0, 89.99951}, {.risesTo = 90}), "0 to 89.9995");
@@ -40,17 +39,13 @@ TEST(ChecksOf, ShowsMoreDigitsWhereRoundingWouldCrossABound) {
   EXPECT_EQ(measured({1.0000000000000002}, {.max = 1}), "1.0000000000000002");
 }
 
-TEST(ChecksOf, GivesTheVerdictOfTheNumberItself) {
+TEST(CheckOf, GivesTheVerdictOfTheNumberItself) {
   EXPECT_FALSE(checkOf({3.00001}, {.max = 3}).met);
   EXPECT_TRUE(checkOf({2.99999}, {.max = 3}).met);
 }
 
-TEST(ChecksOf, RoundsTheTimeOfADivergenceThatNobodyExpected) {
-  Motion motion;
-  motion.trajectory.samples.emplace_back();
-  motion.trajectory.divergedAt = 5.0 / 24;
-  motion.panel.expectations = {{.measure = Measure::TiltDeg, .max = 1}};
-  EXPECT_EQ(checksOf(motion).at(0).measured, "0.2083 s");
+TEST(UnexpectedDivergence, HasARoundedTime) {
+  EXPECT_EQ(unexpectedDivergence(5.0 / 24).measured, "0.2083 s");
 }
 
 }  // namespace

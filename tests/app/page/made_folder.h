@@ -65,12 +65,14 @@ inline void makeVideo(const scene::Scene& scene, const std::filesystem::path& fo
   writer.finish();
 }
 
-/// Leaves the clip of `scene` in `folder`: its CSV is true, its MP4 and poster are black.
+/// Leaves the clip of `scene` in `folder`: its CSV and JSON are true, its MP4 and poster are black.
 inline void makeClip(const scene::Scene& scene, const std::filesystem::path& folder) {
   const store::ClipFiles files = store::clipFiles(folder, scene.name);
   makeVideo(scene, folder);
   makePicture(files.poster, scene.clip.width, scene.clip.height);
-  store::writeTables(store::csvFiles(files.csv, scene), scene, timeline::simulateScene(scene));
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  store::writeTables(store::csvFiles(files.csv, scene), scene, motion);
+  store::writeResult(files.json, scene, motion);
 }
 
 }  // namespace rotatebook::page::testing

@@ -11,9 +11,8 @@ using physics::Integrator;
 using physics::Model;
 
 /// Every number another.
-Motion particles() {
-  Motion motion;
-  scene::Panel& panel = motion.panel;
+scene::Panel particles() {
+  scene::Panel panel;
   panel.label = "soft & wet";
   panel.body.size = {0.15, 0.22, 0.041};
   panel.body.mass = 1.3;
@@ -26,12 +25,11 @@ Motion particles() {
   panel.simulation.damping = 0.7;
   panel.initial.value = {5, 0.25, -1};
   panel.initial.tilt = physics::Tilt{0.1, 2};
-  return motion;
+  return panel;
 }
 
-Motion rigid(Model model) {
-  Motion motion;
-  scene::Panel& panel = motion.panel;
+scene::Panel rigid(Model model) {
+  scene::Panel panel;
   panel.label = "stiff";
   panel.body.size = {0.1, 0.2, 0.03};
   panel.body.mass = 2;
@@ -42,7 +40,7 @@ Motion rigid(Model model) {
   panel.simulation.timePerFrame = 0.01;
   panel.initial.kind = physics::InitialSpin::Kind::AngularMomentum;
   panel.initial.value = {0.01, 0.02, 0.03};
-  return motion;
+  return panel;
 }
 
 scene::ClipSettings clip() {

@@ -58,7 +58,7 @@ class MakeMap : public ::testing::Test {
                                                 const MapOptions& options) const {
     const MadeMap made = make(scene, options);
     EXPECT_TRUE(made.isWhole);
-    writeMap(scene, made.result, files());
+    writeMap(scene, study::MapRuns(scene), made.result, files());
     std::map<std::string, std::string> bytes;
     for (const auto& file : store::allOf(files())) {
       bytes[file.filename()] = bytesOf(file);
@@ -123,7 +123,7 @@ TEST_F(MakeMap, GivesTheSameBytesFromPartsMadeAtOnce) {
 }
 
 TEST_F(MakeMap, MakesNoPartOfAMapThatIsThere) {
-  writeMap(mapScene(), make(mapScene()).result, files());
+  writeMap(mapScene(), study::MapRuns(mapScene()), make(mapScene()).result, files());
   MapOptions options;
   options.part = store::ClipPart{1, 3};
   EXPECT_EQ(make(mapScene(), options).found, 2U);
@@ -180,7 +180,7 @@ TEST_F(MakeMap, AsksWhereThereAreTiles) {
 }
 
 TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
-  writeMap(mapScene(), make(mapScene()).result, files());
+  writeMap(mapScene(), study::MapRuns(mapScene()), make(mapScene()).result, files());
   EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
   const scene::Scene retitled =
       mapScene({"title=Other", "map.colors={palette='gray'}", "map.x.label=steps"});
@@ -194,7 +194,7 @@ TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
 TEST_F(MakeMap, WritesWhatItSays) {
   const scene::Scene scene = mapScene();
   const MadeMap made = make(scene);
-  const auto written = writeMap(scene, made.result, files());
+  const auto written = writeMap(scene, study::MapRuns(scene), made.result, files());
   EXPECT_EQ(written.size(), 7U);
   study::MapResult read = emptyResult(scene, study::MapRuns(scene));
   ASSERT_TRUE(readNpy(bytesOf(files().npy), *scene.map, read));
@@ -208,7 +208,7 @@ TEST_F(MakeMap, WritesWhatItSays) {
 
 TEST_F(MakeMap, WritesNoTableOfManyRuns) {
   const scene::Scene scene = mapScene({"map.size=[101, 100]", "map.duration=0.05"});
-  EXPECT_EQ(writeMap(scene, make(scene).result, files()).size(), 6U);
+  EXPECT_EQ(writeMap(scene, study::MapRuns(scene), make(scene).result, files()).size(), 6U);
   EXPECT_FALSE(fs::exists(files().csv));
 }
 

@@ -114,16 +114,16 @@ TEST_F(OtherSettings, OfAPartForgetNoFile) {
       .folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 3}};
   EXPECT_THAT(testing::render(smallScene(), part).others,
               ElementsAre(path("small.mp4"), path("small.poster.png")))
-      << "the table was replaced";
+      << "table and result were replaced";
 }
 
 TEST_F(OtherSettings, AreReportedWhereTheyAreReplaced) {
   EXPECT_TRUE(render({}).replaced.empty());
   EXPECT_TRUE(render({}).replaced.empty()) << "the same settings";
   // The poster is the same: it has no text.
-  EXPECT_THAT(
-      render({}, otherScene()).replaced,
-      ElementsAre(path("small.csv"), path("small.mp4"), "12 frames in " + path("small") + "/"));
+  EXPECT_THAT(render({}, otherScene()).replaced,
+              ElementsAre(path("small.csv"), path("small.json"), path("small.mp4"),
+                          "12 frames in " + path("small") + "/"));
   EXPECT_TRUE(renderGif().replaced.empty());
   EXPECT_TRUE(render(kResume, otherScene()).replaced.empty());
   std::ofstream(folder_ / "small.webm") << "somebody's";
@@ -142,9 +142,9 @@ TEST_F(OtherSettings, AreReportedWhereAPartReplacesThem) {
   part.frames = store::FrameRange{0, 3};
   testing::render(smallScene(), whole);
   EXPECT_TRUE(testing::render(smallScene(), part).replaced.empty());
-  EXPECT_THAT(
-      testing::render(otherScene(), part).replaced,
-      ElementsAre(path("small.csv"), path("small_00000-00003.mp4") + " (with unknown settings)"));
+  EXPECT_THAT(testing::render(otherScene(), part).replaced,
+              ElementsAre(path("small.csv"), path("small.json"),
+                          path("small_00000-00003.mp4") + " (with unknown settings)"));
 }
 
 TEST_F(OtherSettings, LeaveTheTableOfAnotherClip) {

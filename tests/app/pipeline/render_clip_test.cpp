@@ -53,7 +53,8 @@ bool sameColours(const image::Image& a, const image::Image& b) {
 TEST(RenderClip, LeavesItsFilesAndNoOthers) {
   const fs::path folder = emptyFolder();
   const RenderResult result = testing::render(smallScene(), pngAndMp4(folder));
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder),
+              ElementsAre("small", "small.csv", "small.json", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
   EXPECT_EQ(result.framesWritten, kFrames);
   EXPECT_FALSE(result.interrupted);
@@ -67,7 +68,8 @@ TEST(RenderClip, MakesItsFolders) {
   testing::render(smallScene(), pngAndMp4(folder));
   EXPECT_THAT(namesIn(start), ElementsAre("a"));
   EXPECT_THAT(namesIn(start / "a"), ElementsAre("b"));
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder),
+              ElementsAre("small", "small.csv", "small.json", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
 }
 
@@ -192,9 +194,10 @@ TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   testing::render(smallScene(), {.folder = folder / "mp4",
                                  .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
   EXPECT_THAT(namesIn(folder / "mp4"),
-              ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+              ElementsAre("small", "small.csv", "small.json", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "png", .outputs = {pngOutput()}});
-  EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder / "png"),
+              ElementsAre("small", "small.csv", "small.json", "small.poster.png"));
   testing::render(smallScene(), pngAndMp4(folder / "both"));
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
 }
@@ -259,7 +262,8 @@ TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   testing::render(smallScene(),
                   {.folder = folder, .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
   testing::render(smallScene(), {.folder = folder, .outputs = {pngOutput()}});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder),
+              ElementsAre("small", "small.csv", "small.json", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
 }
 
@@ -286,7 +290,8 @@ TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {
   const fs::path folder = emptyFolder();
   stoppedAfter(5, smallScene(), pngAndMp4(folder));
   testing::render(smallScene(), pngAndMp4(folder, {.overwrite = true}));
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder),
+              ElementsAre("small", "small.csv", "small.json", "small.mp4", "small.poster.png"));
 }
 
 TEST(RenderClip, HoldsItsLastPictureForASecondAfterTheMotionDiverges) {

@@ -33,7 +33,8 @@ TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
   const RenderResult result =
       testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{3, 5}));
   EXPECT_EQ(result.framesWritten, 2);
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small_00003-00005.mp4"));
+  EXPECT_THAT(namesIn(folder),
+              ElementsAre("small", "small.csv", "small.json", "small_00003-00005.mp4"));
   EXPECT_THAT(namesIn(folder / "small"),
               ElementsAre("frame_00003.png", "frame_00004.png", "frames.manifest", "frames.xxh128",
                           "scene.toml"));

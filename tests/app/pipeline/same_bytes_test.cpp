@@ -62,7 +62,8 @@ void rendersTheSame(const scene::Scene& scene) {
     return filesIn(into);
   };
   const Files one = rendered(1);
-  EXPECT_EQ(one.size(), 18U);  // 12 frames and 3 files that tell of them, clip, poster, table
+  EXPECT_EQ(one.size(),
+            19U);  // 12 frames and 3 files that tell of them, clip, poster, table, result
   EXPECT_TRUE(sameFiles(rendered(2), one));
   EXPECT_TRUE(sameFiles(rendered(7), one));
   renderSerially(scene, one.at("small/scene.toml"), folder / "serial");

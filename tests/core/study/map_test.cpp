@@ -327,7 +327,7 @@ TEST(MapFiles, AreArraysOfNumPy) {
 
 TEST(MapFiles, SayWhatTheAxesAre) {
   const scene::Scene scene = sceneOf(std::string(kX) + kTilt + "measure = 'regime'\nsize = [5, 2]");
-  const std::string json = mapJson(mapResultOf(scene), scene, {"F", "S", "C"});
+  const std::string json = mapJson(mapResultOf(scene), scene, MapRuns(scene), {"F", "S", "C"});
   EXPECT_THAT(json,
               HasSubstr("\"x\": {\"key\": \"simulation.substeps\", \"label\": null, \"from\": "
                         "1, \"to\": 6, \"scale\": \"linear\", \"count\": 5, \"first\": 1.5, "

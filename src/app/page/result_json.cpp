@@ -1,0 +1,59 @@
+#include "page/result_json.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace rotatebook::page {
+namespace {
+
+using Limits = std::numeric_limits<double>;
+
+/// Returns the measure called `name`. Throws Json::exception if there is none.
+scene::Measure measureIn(const Json& name) {
+  const auto row =
+      std::ranges::find(scene::kMeasureRows, name.get<std::string>(), &scene::MeasureRow::name);
+  if (row == scene::kMeasureRows.end()) static_cast<void>(Json::object().at("measure"));
+  return row->measure;
+}
+
+Check boundCheckIn(const Json& expected) {
+  const Json& measured = expected.at("measured");
+  const double value = measured.is_null()  ? Limits::quiet_NaN()
+                       : measured == "inf" ? Limits::infinity()
+                                           : measured.get<double>();
+  return checkOf(expected.at("quantity").get<std::string>(),
+                 {numberIn(expected, "min"), numberIn(expected, "max")}, value,
+                 expected.at("meaning").get<std::string>());
+}
+
+}  // namespace
+
+std::optional<double> numberIn(const Json& object, const char* key) {
+  const Json& number = object.at(key);
+  return number.is_null() ? std::nullopt : std::optional(number.get<double>());
+}
+
+scene::ExpectationResult expectationIn(const Json& expected) {
+  const scene::Expectation expectation{
+      .measure = measureIn(expected.at("quantity")),
+      .min = numberIn(expected, "min"),
+      .max = numberIn(expected, "max"),
+      .risesTo = numberIn(expected, "rises_to"),
+      .fallsTo = numberIn(expected, "falls_to"),
+      .from = expected.at("from_s").get<double>(),
+      .to = numberIn(expected, "to_s").value_or(Limits::infinity())};
+  // A motion that never does what is measured has neither
+  const double none =
+      expectation.measure == scene::Measure::DivergesAt ? Limits::infinity() : Limits::quiet_NaN();
+  return {expectation, numberIn(expected, "lowest").value_or(none),
+          numberIn(expected, "highest").value_or(none), expected.at("met").get<bool>(),
+          numberIn(expected, "ends_early_s")};
+}
+
+std::vector<Check> boundChecksIn(const Json& result) {
+  std::vector<Check> checks;
+  for (const Json& expected : result.at("expectations")) checks.push_back(boundCheckIn(expected));
+  return checks;
+}
+
+}  // namespace rotatebook::page

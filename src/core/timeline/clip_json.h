@@ -1,0 +1,33 @@
+// The result of a clip as JSON.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/expectation.h"
+#include "scene/scene.h"
+#include "timeline/clip_motion.h"
+#include "timeline/motion_summary.h"
+
+namespace rotatebook::timeline {
+
+/// The first member of clipJson(), by which it is known.
+inline constexpr std::string_view kClipJsonHead = "{\"result\": \"clip\"";
+
+/// Returns an expectation as an object: its bounds, what was measured, and whether it is met.
+std::string expectationJson(const scene::ExpectationResult& result);
+
+/// Returns a summary as an object. Unknown values are null.
+std::string motionJson(const MotionSummary& summary);
+
+/// Returns the result of a clip as an object: {"result": "clip", "name", "title", "scene_xxh128":
+/// `sceneChecksum`, "motion_xxh128", "rate": [60, 1], "frames", "motions", "events", "plots"}.
+/// "motions" holds motionJson(); "events" {"frame", "time_s", "label", "words"}, none of a grid;
+/// "plots" {"rate", "frames", "interval", "times": those of the frames, unless they are even,
+/// "motions": [{"label", "springs": whether there are any, "kinetic", "potential", "total", "tilt",
+/// "error"}]}, of a grid those in its corners. The last five have a number for each sample, of six
+/// digits: energies over the total at the start, angles in degrees.
+std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
+                     std::string_view sceneChecksum);
+
+}  // namespace rotatebook::timeline

@@ -15,6 +15,7 @@
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "study/study_csv.h"
+#include "system/program_mark.h"
 #include "system/read_file.h"
 #include "timeline/clip_json.h"
 #include "timeline/clip_tables.h"
@@ -148,14 +149,13 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
 
 void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& outputs,
                            const std::string& remedy) {
-  const bool hasTable = std::ranges::any_of(outputs, isTable);
   for (const fs::path& file : outputs) {
     std::error_code missing;
     if (!fs::is_regular_file(file, missing)) continue;
     const bool isKnown = file.extension() == ".csv"    ? isTable(file)
                          : file.extension() == ".json" ? isResult(file)
                          : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
-                                                       : hasTable;
+                                                       : system::hasProgramMark(file);
     if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;
     throw InputError(file.string() + " was left by no render, and " + remedy);
   }

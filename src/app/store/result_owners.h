@@ -30,8 +30,8 @@ void refuseResultsOfOthers(const Results& own, const std::vector<std::filesystem
                            const std::string& remedy);
 
 /// Throws InputError if one of `outputs` of the clip `files`, all in one folder, is a table, video
-/// or poster that no render left: tables begin as such do, MP4s and WebMs hold a record, and the
-/// others follow from a table, which a render writes first, or from the manifest. The message ends
+/// result or poster that no render left: tables and results begin as such do, MP4s and WebMs hold a
+/// record, and the others the program's mark; or the manifest lists them. The message ends
 /// with `remedy`, as above.
 void refuseNoResultsOfClip(const ClipFiles& files,
                            const std::vector<std::filesystem::path>& outputs,

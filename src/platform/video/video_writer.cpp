@@ -1,6 +1,7 @@
 #include "video/video_writer.h"
 
 #include "base/error.h"
+#include "system/program_mark.h"
 #include "video/muxer.h"
 #include "video/stages.h"
 
@@ -8,7 +9,10 @@ namespace rotatebook::video {
 
 struct VideoWriter::Parts {
   Parts(VideoFormat format, const std::filesystem::path& file, const VideoSettings& settings)
-      : path(file), stages(makeStages(format, settings)), muxer(path, format, stages, settings) {}
+      : path(file),
+        isRecorded(rowOf(format).holdsRecord),
+        stages(makeStages(format, settings)),
+        muxer(path, format, stages, settings) {}
 
   /// Encodes and writes all frames that are ready.
   void encodeReady() {
@@ -20,6 +24,7 @@ struct VideoWriter::Parts {
   }
 
   std::filesystem::path path;
+  bool isRecorded;
   Stages stages;
   Muxer muxer;
   std::int64_t pictures = 0;
@@ -49,6 +54,7 @@ void VideoWriter::finish() {
   parts_->encodeReady();
   parts_->encode(nullptr);
   parts_->muxer.finish();
+  if (!parts_->isRecorded) system::addProgramMark(parts_->path);
 }
 
 const std::string& VideoWriter::encoderName() const {

@@ -32,7 +32,8 @@ class VideoWriter {
   /// written.
   void write(image::ImageView picture);
 
-  /// Drains the encoder, writes the index and closes the file. Throws MachineError on any failed
+  /// Drains the encoder, writes the index, the program's mark if the format holds no record, and
+  /// closes the file. Throws MachineError on any failed
   /// flush, trailer or close, and if there was no picture. Without it the file is unplayable; the
   /// destructor only frees.
   void finish();

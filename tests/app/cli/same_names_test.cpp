@@ -198,7 +198,14 @@ TEST_F(SameNames, OfAClipAndAFileThatNoRenderLeft) {
   EXPECT_EQ(run({"render", "tiny.toml", "--format", "gif"}).status, 0);
   EXPECT_EQ(run({"render", "tiny.toml", "--size", "32x18", "--format", "gif"}).status, 0);
   fs::remove_all(folder() / "out/tiny");
-  EXPECT_EQ(run({"render", "tiny.toml", "--format", "gif"}).status, 0) << "its table is there";
+  EXPECT_EQ(run({"render", "tiny.toml", "--format", "gif"}).status, 0) << "it has its mark";
+
+  // Its own table beside it makes no foreign picture the render's
+  fs::remove_all(folder() / "out");
+  const Command pictures{"render", "tiny.toml", "--no-png", "--format", "gif,apng"};
+  EXPECT_EQ(run(pictures).status, 0);
+  for (const char* name : {"out/tiny.poster.png", "out/tiny.gif", "out/tiny.apng"})
+    expectForeignKept(name, pictures, "--overwrite");
 }
 
 // A map removes its earlier files, its table too, though it may be too large to have one.

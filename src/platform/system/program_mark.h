@@ -1,0 +1,19 @@
+// The mark by which pictures without a record are known as the program's.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace rotatebook::system {
+
+/// Adds the mark to the bytes of a complete PNG, APNG or GIF: before its end a chunk "Software:
+/// rotatebook" (PNG specification, 11.3.4.3), or a comment (GIF89a, 24). Throws std::logic_error if
+/// they end otherwise.
+void addProgramMark(std::string& bytes);
+/// Adds it to such a file in place. Throws MachineError if it can't be read or written.
+void addProgramMark(const std::filesystem::path& file);
+
+/// Returns whether a file ends with the mark.
+bool hasProgramMark(const std::filesystem::path& file);
+
+}  // namespace rotatebook::system

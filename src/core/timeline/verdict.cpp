@@ -266,15 +266,12 @@ bool mayBeOfSteps(const recording::SpinFacts& spins, const std::vector<Sample>& 
 
 /// Returns the verdict on a recording, whose rates aren't held against attitudes that agree alone.
 Verdict verdictOnRecorded(const Recorded& recorded) {
-  // Steps of order 1 lag by less, where they are short enough that attitudes alone agree.
-  constexpr double kDiffers = 0.01;
   const auto& [motion, samples] = recorded;
   const Verdict verdict = verdictOn(motion, samples);
   const recording::SpinFacts& spins = verdict.spins;
-  const bool areOff = spins.source == recording::SpinSource::Given &&
-                      (spins.fit.isOff() || spins.difference > kDiffers);
+  const bool areGiven = spins.source == recording::SpinSource::Given;
   const bool areSteps = verdict.errs == Errs::InPhase && mayBeOfSteps(spins, samples);
-  if (agreesWithExact(verdict) || !areOff || areSteps || !motion.nudges.empty()) return verdict;
+  if (agreesWithExact(verdict) || !areGiven || areSteps || !motion.nudges.empty()) return verdict;
   const auto alone = inPlace(motion, recording::attitudesAlone(*motion.simulation.recorded.motion),
                              samples.back().time);
   if (!alone) return verdict;

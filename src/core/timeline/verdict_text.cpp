@@ -20,9 +20,9 @@ std::string_view plainKindOf(Errs errs) {
     case Errs::SpinIsFixed:
       return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
     case Errs::TooFewAttitudes:
-      return "its attitudes are too far apart, or their times too uncertain, for their slopes to "
-             "be "
-             "its angular velocities; record more of them, or the angular velocities, too";
+      return "its attitudes are too far apart, or they or their times too uncertain, for their "
+             "slopes to be its angular velocities; record more of them, or the angular "
+             "velocities, too";
     case Errs::Swings:
       return "swings in energy or angular momentum, which come back: another inertia than that of "
              "the body that moved, or angular velocities with a bias, or of other moments than the "

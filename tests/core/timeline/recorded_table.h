@@ -53,6 +53,7 @@ struct Table {
   double secondsPerUnit = 1, ratesPerUnit = 1;
   double noise = 0;       // standard deviation of the attitudes [rad]
   double rateNoise = 0;   // [rad/s]
+  double rateStep = 0;    // that the rates are rounded to; not if 0 [rad/s]
   double seconds = 10;    // duration
   double ratesDelay = 0;  // in rows
   bool isTurned = true;   // so that the attitudes don't begin with the identity
@@ -89,6 +90,7 @@ inline std::string rowOf(const physics::Sample& sample, const physics::Sample& o
   if (table.areAlongBody) rate = ofRates.attitude.conjugate() * rate;
   rate =
       (table.columns * rate + table.bias + table.rateNoise * noise.vector()) / table.ratesPerUnit;
+  if (table.rateStep > 0) rate = (rate / table.rateStep).array().round().matrix() * table.rateStep;
   q = table.worldTurn * q * table.bodyTurn;
   if (table.isInverse) q = q.conjugate();
   std::vector<double> cells{sample.time / table.secondsPerUnit, q.w(), q.x(), q.y(), q.z()};

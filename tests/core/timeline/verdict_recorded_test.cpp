@@ -140,6 +140,23 @@ TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoLongSteps) {
   }
 }
 
+// Rates of the row before, which are off by less than a hundredth.
+TEST(VerdictOnRecordings, RatesAShortStepLateAreNoMotionsFault) {
+  Table table{.rates = "gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)", .areAlongBody = true};
+  table.ratesDelay = 1;
+  const Verdict verdict = verdictOnText(textOf(exactBook(160), table));
+  EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << methodThat(verdict);
+  EXPECT_LT(verdict.spins.difference, 0.01);  // measured 0.0094
+}
+
+TEST(VerdictOnRecordings, RoundedRatesAreNoMotionsFault) {
+  for (const double step : {0.01, 0.03, 0.1}) {
+    const Verdict verdict = verdictOnText(textOf(exactBook(240), {.rateStep = step}));
+    EXPECT_THAT(methodThat(verdict), HasSubstr("agrees with the exact motion"));
+    EXPECT_LT(verdict.errorDeg, 0.2);  // measured 1.7e-5
+  }
+}
+
 TEST(VerdictOnRecordings, AMomentumThatTurnsALittleIsntKept) {
   const auto drifting = [](std::vector<physics::Sample>& samples) {
     for (physics::Sample& sample : samples) {

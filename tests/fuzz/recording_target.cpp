@@ -1,13 +1,12 @@
 // Recordings: any bytes are refused, or give a motion whose every moment is finite and a rotation,
-// and a short toss ratios within their intervals. What follows a form feed is an accelerometer's
-// table.
+// and finite readings of sensors. What follows a form feed is an accelerometer's table.
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "fuzz/fuzzing.h"
+#include "recording/inertial_recording.h"
 #include "recording/read_recording.h"
-#include "recording/toss.h"
 
 namespace {
 
@@ -18,23 +17,9 @@ void requireSound(const recording::RecordedMoment& moment) {
   fuzzing::require(std::abs(moment.attitude.norm() - 1) < 1e-9);
 }
 
-void requireSound(const recording::TossFit& fit) {
-  for (const recording::Estimate& ratio : fit.ratios)
-    fuzzing::require(ratio.low <= ratio.value && ratio.value <= ratio.high);
-  fuzzing::require(fit.inertia.allFinite() && fit.start.allFinite() && fit.widening >= 1);
-}
-
-/// Tosses of few readings, so that a fit doesn't take long.
-void fitShort(const recording::InertialRecording& recording) {
-  constexpr std::size_t kMost = 60;
+void requireFinite(const recording::InertialRecording& recording) {
   for (const recording::InertialReading& one : recording.readings)
     fuzzing::require(one.rate.angularVelocity.allFinite() && !one.force.hasNaN());
-  if (recording.readings.size() > kMost) return;
-  for (const recording::Throw& one : recording::findThrows(recording, "a.csv", {})) {
-    fuzzing::require(one.fit.has_value() != !one.refusal.empty());
-    if (one.fit) requireSound(*one.fit);
-  }
-  requireSound(recording::fitToss(recording, "a.csv", {.from = -1e12, .to = 1e12}));
 }
 
 }  // namespace
@@ -53,12 +38,12 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
     requireSound(motion->part(0, motion->duration() / 2).moments().back());
   }
   static_cast<void>(recording::contentsOf({text, "Gyroscope.csv"}, {}));
-  fuzzing::mayRefuse([&] { fitShort(recording::readInertial(text, "a.csv", {})); });
+  fuzzing::mayRefuse([&] { requireFinite(recording::readInertial(text, "a.csv", {})); });
   const std::size_t end = std::min(text.find('\f'), text.size());
   if (end == text.size()) return 0;
   const recording::NamedTable second{text.substr(end + 1), "TotalAcceleration.csv"};
   fuzzing::mayRefuse([&] {
-    fitShort(recording::readInertial(text.substr(0, end), "Gyroscope.csv", {}, &second));
+    requireFinite(recording::readInertial(text.substr(0, end), "Gyroscope.csv", {}, &second));
   });
   return 0;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -127,32 +128,59 @@ void requireGap(const TossFit& fit, const std::string& name) {
          fit);
 }
 
+/// Returns the step of rounded numbers: the smallest change from one to the next, or of such
+/// changes, but at least a millionth of the largest number.
+double stepOf(const std::vector<double>& rates, double largest) {
+  const double floor = 1e-6 * largest;
+  double step = std::numeric_limits<double>::infinity(), before = 0;
+  const auto take = [&](double change) {
+    if (std::abs(change) > floor) step = std::min(step, std::abs(change));
+  };
+  for (std::size_t i = 1; i < rates.size(); ++i) {
+    const double change = rates[i] - rates[i - 1];
+    take(change);
+    if (i > 1) take(change - before);
+    before = change;
+  }
+  return std::max(step, floor);
+}
+
+/// Returns whether an axis stays at its extreme value for `count` readings, and doesn't come there
+/// or leave it as the top of a smooth curve in rounded numbers does: by a step, with noise by two.
+bool isClipped(const std::vector<InertialReading>& flight, const std::vector<double>& rates,
+               double largest, std::size_t count) {
+  constexpr double kSteps = 2.5;
+  const double top = largest - kSteps * stepOf(rates, largest);
+  for (std::size_t begin = 0, end = 0; begin < rates.size(); begin = end + 1) {
+    std::size_t run = 0;
+    for (end = begin; end < rates.size() && std::abs(rates[end]) == largest; ++end) {
+      // A reading that is held for several rows isn't clipped.
+      const bool isHeld =
+          end > 0 && flight[end].rate.angularVelocity == flight[end - 1].rate.angularVelocity;
+      run += isHeld ? 0 : 1;
+    }
+    const bool jumps = (begin > 0 && std::abs(rates[begin - 1]) < top) ||
+                       (end < rates.size() && std::abs(rates[end]) < top);
+    if (run >= count && jumps) return true;
+  }
+  return false;
+}
+
 /// Refuses a flight in which an axis stays at its extreme value for several readings.
 void requireUnclipped(const std::vector<InertialReading>& flight, const std::string& name) {
   constexpr std::size_t kRun = 4;
   constexpr double kLowestRange = 4;  // of gyroscopes, 250 deg/s [rad/s]
-  constexpr double kSteady = 0.9;     // A rate that hardly changes needn't be clipped.
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const auto sizeAt = [&](std::size_t i) {
-      return std::abs(flight[i].rate.angularVelocity[axis]);
-    };
-    double largest = 0, smallest = sizeAt(0);
-    for (std::size_t i = 0; i < flight.size(); ++i) {
-      largest = std::max(largest, sizeAt(i));
-      smallest = std::min(smallest, sizeAt(i));
+    std::vector<double> rates;
+    double largest = 0;
+    for (const InertialReading& one : flight) {
+      rates.push_back(one.rate.angularVelocity[axis]);
+      largest = std::max(largest, std::abs(rates.back()));
     }
-    if (largest < kLowestRange || smallest > kSteady * largest) continue;
-    std::size_t run = 0;
-    for (std::size_t i = 0; i < flight.size(); ++i) {
-      // A reading that is held for several rows isn't clipped.
-      const bool isHeld =
-          i > 0 && flight[i].rate.angularVelocity == flight[i - 1].rate.angularVelocity;
-      run = sizeAt(i) == largest ? run + (isHeld ? 0 : 1) : 0;
-      if (run < kRun) continue;
-      throw InputError(name + ": the gyroscope clips at " + degreesASecond(largest) + " about " +
-                       "xyz"[axis] + ": " + std::to_string(kRun) +
-                       " readings in a row have that value; toss the body more slowly");
-    }
+    if (largest < kLowestRange || !isClipped(flight, rates, largest, kRun)) continue;
+    throw InputError(name + ": the gyroscope clips at " + degreesASecond(largest) + " about " +
+                     "xyz"[axis] + ": " + std::to_string(kRun) +
+                     " readings in a row have that value; toss the body more slowly");
   }
 }
 

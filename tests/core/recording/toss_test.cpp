@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -120,6 +121,32 @@ TEST(Toss, RefusesAGyroscopeThatClips) {
     one.rate.angularVelocity = one.rate.angularVelocity.cwiseMin(8).cwiseMax(-8);
   EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {}); }),
               HasSubstr("t.csv: the gyroscope clips at 458 deg/s about x"));
+}
+
+/// Returns a flight of the book at 200 Hz, whose rates are made what a gyroscope gives.
+InertialRecording flightAs(const std::function<double(double)>& given) {
+  InertialRecording recording;
+  const rigid::ExactRotation motion = tumbling({9, 1, 2});
+  for (int i = 0; i < 160; ++i) {
+    const Eigen::Vector3d rate = motion.angularVelocityBodyAt(0.005 * i);
+    recording.readings.push_back({{0.005 * i, rate.unaryExpr(given)}});
+  }
+  return recording;
+}
+
+TEST(Toss, DoesntTakeRoundedRatesForClipped) {
+  for (const double step : {0.5 * kDegree, kDegree, 3 * kDegree}) {
+    const auto rounded = [&](double rate) { return std::round(rate / step) * step; };
+    const std::string refusal =
+        refusalOf([&] { fitToss(flightAs(rounded), "t.csv", {.from = 0, .to = 0.79}); });
+    EXPECT_EQ(refusal, "") << step;
+  }
+}
+
+TEST(Toss, RefusesASteadySpinThatIsClipped) {
+  const auto clipped = [](double rate) { return std::min(rate, 8.9); };
+  EXPECT_THAT(refusalOf([&] { fitToss(flightAs(clipped), "t.csv", {.from = 0, .to = 0.1}); }),
+              HasSubstr("t.csv: the gyroscope clips at 510 deg/s about x"));
 }
 
 TEST(Toss, TakesAttitudes) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace rotatebook::physics {
 
@@ -33,6 +34,7 @@ ManySprings::ManySprings(const PointList& positions, const std::vector<Spring>& 
   for (const Spring& ends : springs) springs_.push_back({ends, Eigen::Vector3d::Zero(), 0, 0});
   moveTo(positions);
   for (Stretched& spring : springs_) spring.restLength = spring.length;
+  moveTo(positions);  // With these lengths
 }
 
 void ManySprings::moveTo(const PointList& positions) {
@@ -41,18 +43,39 @@ void ManySprings::moveTo(const PointList& positions) {
     spring.length = std::sqrt(arm.squaredNorm());
     spring.direction = arm * (1 / spring.length);
   }
+  if (damping_ == 0) {
+    undamped_ = sumOfPulls(positions.points.size(), [this](const Stretched& spring) {
+      return stiffness_ * (spring.length - spring.restLength);
+    });
+  }
 }
 
 PointList ManySprings::forces(const PointList& velocities) const {
-  PointList sums{std::vector<Eigen::Vector3d>(velocities.points.size(), Eigen::Vector3d::Zero())};
-  for (const Stretched& spring : springs_) {
+  if (damping_ == 0) return undamped_;
+  return sumOfPulls(velocities.points.size(), [&](const Stretched& spring) {
     const auto [a, b] = spring.ends;
     const double rate = spring.direction.dot(velocities.points[b] - velocities.points[a]);
-    const double tension = stiffness_ * (spring.length - spring.restLength) + damping_ * rate;
-    const Eigen::Vector3d pull = tension * spring.direction;
-    sums.points[a] += pull;
-    sums.points[b] -= pull;
+    return stiffness_ * (spring.length - spring.restLength) + damping_ * rate;
+  });
+}
+
+template <typename Tension>
+PointList ManySprings::sumOfPulls(std::size_t count, const Tension& tensionOf) const {
+  PointList sums{std::vector<Eigen::Vector3d>(count, Eigen::Vector3d::Zero())};
+  std::uint32_t first = 0;
+  Eigen::Vector3d ofFirst = Eigen::Vector3d::Zero();
+  for (const Stretched& spring : springs_) {
+    // Many springs in a row begin at the same particle, whose sum is kept at hand.
+    if (spring.ends.a != first) {
+      sums.points[first] = ofFirst;
+      first = spring.ends.a;
+      ofFirst = sums.points[first];
+    }
+    const Eigen::Vector3d pull = tensionOf(spring) * spring.direction;
+    ofFirst += pull;
+    sums.points[spring.ends.b] -= pull;
   }
+  if (!springs_.empty()) sums.points[first] = ofFirst;
   return sums;
 }
 

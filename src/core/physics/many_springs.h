@@ -2,6 +2,7 @@
 // only.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -44,7 +45,12 @@ class ManySprings {
     double length, restLength;
   };
 
+  /// Adds up what all springs pull each of `count` points with, in the order of the springs.
+  template <typename Tension>
+  PointList sumOfPulls(std::size_t count, const Tension& tensionOf) const;
+
   std::vector<Stretched> springs_;
+  PointList undamped_;  // The forces without dampers, which depend on the positions alone.
   double stiffness_;
   double damping_;
 };

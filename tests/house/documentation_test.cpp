@@ -23,8 +23,9 @@ using cli::testing::ProgramTest;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Three seconds, as small as pictures are.
+/// Three seconds, as small as pictures are, and of plain cloth, whose pictures needn't be read.
 constexpr const char* kSmall = R"(title = "Small"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
 tilt = ["1 deg", "z"]
@@ -35,6 +36,7 @@ duration = 3
 
 /// A fifth of a second, as there are many of them.
 constexpr const char* kShort = R"(title = "Short"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
 [clip]
@@ -43,6 +45,7 @@ duration = 0.2
 )";
 
 constexpr const char* kPanels = R"(title = "Panels"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
 [clip]

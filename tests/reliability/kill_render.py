@@ -20,6 +20,7 @@ import tempfile
 import time
 
 SCENE = """title = "Killed"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 3.0, 1.0]
 [clip]

@@ -26,6 +26,7 @@ import cluster
 
 SKIPPED = 77
 CLIP = """title = "Many machines"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 3.0, 1.0]
 [clip]

@@ -13,6 +13,7 @@ using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr const char* kOne = R"(title = "One"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
 tilt = [0.1, "z"]

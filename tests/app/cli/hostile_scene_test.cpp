@@ -20,6 +20,7 @@ constexpr const char* kOutside =
 constexpr const char* kWordsOfCommands = R"toml(
 title = "'; system('touch ran') # `touch ran` $(touch ran)"
 caption = "\n!touch ran\n"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
 [clip]

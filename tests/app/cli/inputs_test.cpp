@@ -29,6 +29,7 @@ constexpr const char* kAllInputs = R"(title = "All kinds"
 angular_velocity = [5.0, 0.0, 0.005]
 [book]
 front = "front.png"
+color = "#2b5d8a"
 [clip]
 size = [64, 36]
 duration = 0.2
@@ -53,6 +54,7 @@ angular_velocity = [5.0, 0.0, 0.005]
 tilt = [0.01, "z"]
 [book]
 front = "front.png"
+color = "#2b5d8a"
 [clip]
 size = [64, 36]
 duration = 0.2

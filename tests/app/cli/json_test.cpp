@@ -19,7 +19,8 @@ class Json : public ProgramTest {
  protected:
   Json() {
     write("b.toml",
-          "title = \"Größe \\\"x\\\" \\\\ 書\"\n[initial]\nangular_velocity = [5.0, 0.0, 0.005]\n"
+          "title = \"Größe \\\"x\\\" \\\\ 書\"\nbook.color = \"#2b5d8a\"\n"
+          "[initial]\nangular_velocity = [5.0, 0.0, 0.005]\n"
           "[clip]\nsize = [64, 36]\nduration = 0.2\n[expect]\nhalf_turns = { max = 3, min = 1 }\n");
     write("wrong.toml", "titel = 'T'\n");
   }

@@ -29,7 +29,7 @@ class LostInput : public ProgramTest {
   /// book.png, and a scene that has it for a cover.
   void makeCover() const {
     ASSERT_EQ(run({"still", "tiny.toml", "--time", "0", "-o", "book.png"}).status, 0);
-    write("covered.toml", std::string(kTiny) + "[book]\nback = \"book.png\"\n");
+    write("covered.toml", "book.back = \"book.png\"\n" + std::string(kTiny));
   }
 };
 
@@ -188,7 +188,7 @@ TEST_F(LostInput, IsNoFrameToAssemble) {
 TEST_F(LostInput, IsNoTextureOfAnotherScene) {
   makeCover();
   fs::rename(folder() / "book.png", folder() / "tiny.poster.png");
-  write("covered.toml", std::string(kTiny) + "[book]\nback = \"tiny.poster.png\"\n");
+  write("covered.toml", "book.back = \"tiny.poster.png\"\n" + std::string(kTiny));
   expectKept("tiny.poster.png", "a texture of the scene covered",
              {"render", "tiny.toml", "covered.toml", "-o", "."});
 }

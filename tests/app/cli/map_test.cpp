@@ -17,8 +17,8 @@ using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 constexpr const char* kMap = R"(title = "Turns"
-[simulation]
-integrator = "euler"
+book.color = "#2b5d8a"
+simulation.integrator = "euler"
 [initial]
 angular_velocity = [8.0, 0.0, 0.0]
 tilt = [0.01, "z"]

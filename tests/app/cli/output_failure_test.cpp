@@ -18,8 +18,14 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
+/// Its book has the built-in pictures, so that frames are larger than texts.
 class OutputFailure : public ProgramTest {
  protected:
+  OutputFailure() {
+    std::string scene = kTiny;
+    write("tiny.toml", scene.replace(scene.find("book.color"), 0, "# "));
+  }
+
   ChildResult runOnFullDisk(const std::vector<std::string>& arguments, long largestFile) const {
     ChildSettings settings;
     settings.largestFile = largestFile;

@@ -135,7 +135,7 @@ TEST_F(PackCommand, ReplacesNoTextureOfItsScenes) {
   expectPacked("cv");
   fs::remove(folder() / "cv/s.poster.webp");
   fs::create_hard_link(folder() / "cover.png", folder() / "cv/s.poster.webp");
-  write("s.toml", std::string(kTiny) + "[book]\nfront = \"cv/s.poster.webp\"\n");
+  write("s.toml", "book.front = \"cv/s.poster.webp\"\n" + std::string(kTiny));
   ASSERT_EQ(run({"render", "s.toml", "--no-png", "--format", "mp4,webm"}).status, 0);
   expectRefused("cv", "cv/s.poster.webp is a texture of the scene s and would be replaced");
 }
@@ -143,14 +143,14 @@ TEST_F(PackCommand, ReplacesNoTextureOfItsScenes) {
 // A moving picture is larger than the page, and copied as it is.
 TEST_F(PackCommand, LeavesNoPartOfAFileOnAFullDisk) {
   ASSERT_EQ(
-      run({"render", "s.toml", "-o", "big", "--no-png", "--format", "apng", "--size", "320x180"})
+      run({"render", "s.toml", "-o", "big", "--no-png", "--format", "apng", "--size", "480x270"})
           .status,
       0);
   const auto packBig = [&](const std::string& target, std::optional<long> largest = {}) {
     ChildSettings settings;
     settings.largestFile = largest;
     return run(
-        {"page", "s.toml", "-o", "big", "--no-thumbnails", "--size", "320x180", "--pack", target},
+        {"page", "s.toml", "-o", "big", "--no-thumbnails", "--size", "480x270", "--pack", target},
         settings);
   };
   ASSERT_EQ(packBig("whole").status, 0);

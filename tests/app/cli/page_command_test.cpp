@@ -130,7 +130,7 @@ TEST_F(PageCommand, SaysWhichVideosAreNotTheScenes) {
 TEST_F(PageCommand, KeepsTexturesOfTheNamesOfThumbnails) {
   ASSERT_EQ(run({"still", "tiny.toml", "--time", "0", "-o", kThumbnail}).status, 0);
   const std::string before = read(kThumbnail);
-  write("covered.toml", std::string(kTiny) + "[book]\nback = \"out/tiny.thumbnail.png\"\n");
+  write("covered.toml", "book.back = \"out/tiny.thumbnail.png\"\n" + std::string(kTiny));
   run({"render", "covered.toml", "--no-png", "--size", "640x360"});
   const ChildResult result = page({"covered.toml"});
   EXPECT_EQ(result.status, 2);

@@ -14,8 +14,8 @@ using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 
 constexpr const char* kPair = R"(title = "Pair"
-[initial]
-angular_velocity = [5.0, 0.0, 0.005]
+book.color = "#2b5d8a"
+initial.angular_velocity = [5.0, 0.0, 0.005]
 [clip]
 size = [96, 54]
 duration = 0.2

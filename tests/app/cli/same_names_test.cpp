@@ -15,6 +15,7 @@ using ::testing::HasSubstr;
 
 /// A clip and a map, with a film.
 constexpr const char* kBoth = R"(title = "Both"
+book.color = "#2b5d8a"
 [initial]
 angular_velocity = [5.0, 0.0, 0.005]
 tilt = [0.01, "z"]

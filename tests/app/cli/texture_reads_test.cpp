@@ -50,7 +50,7 @@ class TextureReads : public ProgramTest {
  protected:
   TextureReads() {
     image::writePng(folder() / "cover.png", image::Image(8, 12, image::PixelFormat::Rgb8).view());
-    write("covered.toml", std::string(kTiny) + "[book]\nfront = \"cover.png\"\n");
+    write("covered.toml", "book.front = \"cover.png\"\n" + std::string(kTiny));
   }
 
   void expectOneOf(const std::vector<std::string>& command, const char* file = "cover.png") const {

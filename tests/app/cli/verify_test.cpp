@@ -76,7 +76,8 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
 // The processor may have other functions of the C library than the one that rendered.
 TEST_F(VerifyCommand, ProvesAClipOfAnotherProcessor) {
   write("exact.toml",
-        "[simulation]\nmodel = \"exact\"\n[initial]\nangular_velocity = [5.0, 0.01, 0.0]\n"
+        "book.color = \"#2b5d8a\"\n[simulation]\nmodel = \"exact\"\n[initial]\nangular_velocity = "
+        "[5.0, 0.01, 0.0]\n"
         "[clip]\nsize = [160, 90]\nduration = 4.0\n");
   ASSERT_EQ(run({"render", "exact.toml", "--no-png"}).status, 0);
   ChildSettings withoutFma;
@@ -218,7 +219,7 @@ TEST_F(VerifyCommand, FindsTexturesFromTheSceneFolder) {
   image::Image cover(8, 12, image::PixelFormat::Rgb8);
   fs::create_directories(folder() / "scenes");
   writePng(folder() / "scenes/cover.png", cover.view());
-  write("scenes/covered.toml", std::string(kTiny) + "[book]\nfront = \"cover.png\"\n");
+  write("scenes/covered.toml", "book.front = \"cover.png\"\n" + std::string(kTiny));
   ASSERT_EQ(run({"render", "scenes/covered.toml", "--no-png"}).status, 0);
   const ChildResult near = run({"verify", "out/covered.mp4"});
   EXPECT_EQ(near.status, 0) << near.output << near.error;

@@ -123,7 +123,7 @@ TEST(Textures, AreThoseOfTheSceneEachOnItsSide) {
 
 TEST(Textures, AreTheBuiltInOnesByDefault) {
   const render::BookTextures textures =
-      std::get<render::BookTextures>(picture::loadLooks(smallScene()).looks.at(0));
+      std::get<render::BookTextures>(picture::loadLooks(scene::testing::smallScene()).looks.at(0));
   EXPECT_EQ(textures.front, render::builtinFront());
   EXPECT_EQ(textures.spine, render::builtinSpine());
   EXPECT_EQ(textures.back, render::builtinBack());

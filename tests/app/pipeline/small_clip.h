@@ -26,7 +26,12 @@ using scene::testing::divergingScene;
 using scene::testing::kFrames;
 using scene::testing::messageOf;
 using scene::testing::motionOf;
-using scene::testing::smallScene;
+
+/// That of scene::testing, with a book of plain cloth, so that no pictures have to be read.
+inline scene::Scene smallScene(std::vector<std::string> overrides = {}) {
+  overrides.insert(overrides.begin(), "book.color=\"#2b5d8a\"");
+  return scene::testing::smallScene(overrides);
+}
 
 /// An empty folder for the running test alone.
 inline std::filesystem::path emptyFolder() {

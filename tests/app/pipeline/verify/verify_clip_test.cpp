@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using pipeline::testing::emptyFolder;
 using pipeline::testing::kFrames;
-using pipeline::testing::smallScene;
+using scene::testing::smallScene;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Gt;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/program_test.h"
+#include "image/png_file.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -37,7 +38,8 @@ TEST_F(SceneCommandsTest, StillIsThePosterInItsFolderByDefault) {
   const ChildResult result = run({"still", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_EQ(result.output, "tiny: wrote frame 6 to tiny.png\n");
-  EXPECT_EQ(read("tiny.png"), read("out/tiny.poster.png"));
+  EXPECT_EQ(image::readPng(folder() / "tiny.png"),
+            image::readPng(folder() / "out/tiny.poster.png"));
   EXPECT_EQ(run({"still", "out/../tiny.toml", "--set", "clip.poster=0.05"}).output,
             "tiny: wrote frame 3 to tiny.png\n");
 }

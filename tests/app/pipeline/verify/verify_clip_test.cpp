@@ -15,8 +15,8 @@
 #include "base/error.h"
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
-#include "store/encoding.h"
 #include "pipeline/verify/picture_comparison.h"
+#include "store/encoding.h"
 #include "video/forged_mp4.h"
 #include "video/video_writer.h"
 

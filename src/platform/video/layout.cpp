@@ -109,8 +109,8 @@ class ContentMatcher {
 class LayoutMatcher {
  public:
   LayoutMatcher(std::span<const LayoutRow> rows, const LayoutValues& values, std::istream& file,
-                PartAt partAt)
-      : rows_(rows), values_(values), file_(file), partAt_(partAt) {
+                PartAt partAt, PartOrder order)
+      : rows_(rows), values_(values), file_(file), partAt_(partAt), order_(order) {
     for (const LayoutRow& row : rows) words_.push_back(wordsOf(row.content));
   }
 
@@ -119,11 +119,17 @@ class LayoutMatcher {
   std::string difference(std::size_t first, int level, const std::string& outer, std::uint64_t at,
                          std::uint64_t end) const {
     std::map<std::size_t, int> counts;
+    std::size_t last = first;
     while (at < end) {
       const auto part = partAt_(file_, at, end);
       if (!part || part->end > end) return nameIn(outer) + " holds damaged or foreign bytes";
       const std::size_t row = rowFor(*part, first, level, counts);
       if (row == rows_.size()) return oddPart(*part, first, level, outer);
+      if (row < last && order_ == PartOrder::AsRows) {
+        return nameIn(outer) + " has its " + nameOf(rows_[last]) + " before its " +
+               nameOf(rows_[row]);
+      }
+      last = row;
       const std::string inner = differenceIn(row, pathOf(outer, nameOf(rows_[row])), *part);
       if (!inner.empty()) return inner;
       at = part->end;
@@ -194,6 +200,7 @@ class LayoutMatcher {
   const LayoutValues& values_;
   std::istream& file_;
   PartAt partAt_;
+  PartOrder order_;
   std::vector<Words> words_;
 };
 
@@ -227,8 +234,8 @@ std::uint64_t sizeOf(std::istream& file) {
 }
 
 std::string differenceFrom(std::span<const LayoutRow> rows, const LayoutValues& values,
-                           std::istream& file, PartAt partAt) {
-  return LayoutMatcher(rows, values, file, partAt).difference(0, 0, "", 0, sizeOf(file));
+                           std::istream& file, PartAt partAt, PartOrder order) {
+  return LayoutMatcher(rows, values, file, partAt, order).difference(0, 0, "", 0, sizeOf(file));
 }
 
 }  // namespace rotatebook::video

@@ -54,6 +54,10 @@ struct LayoutValues {
   std::map<std::string_view, std::vector<std::string>> texts{};
 };
 
+/// Whether parts follow each other as their rows do. Players of MP4s may read a box by what they
+/// know from those before it; elements of a WebM have no order.
+enum class PartOrder { AsRows, Any };
+
 /// Finds the part at offset `at` of one that ends at offset `end`; nothing if there is none.
 using PartAt = std::optional<Part> (*)(std::istream& file, std::uint64_t at, std::uint64_t end);
 
@@ -67,8 +71,9 @@ std::string bigEndianBytes(std::uint64_t number, int count);
 std::uint64_t sizeOf(std::istream& file);
 
 /// Returns the first difference of `file` from the layout `rows`: "moov/trak/tkhd differs", "moov
-/// holds one trak too many"; empty if there is none. `file` may be anything.
+/// holds one trak too many", "moov has its udta before its
+/// trak"; empty if there is none. `file` may be anything.
 std::string differenceFrom(std::span<const LayoutRow> rows, const LayoutValues& values,
-                           std::istream& file, PartAt partAt);
+                           std::istream& file, PartAt partAt, PartOrder order);
 
 }  // namespace rotatebook::video

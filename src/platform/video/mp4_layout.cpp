@@ -10,9 +10,9 @@
 namespace rotatebook::video {
 namespace {
 
-/// All boxes, with all their fields. Measured on libavformat 59.27 and 62.19, which write the same
-/// but for the duration in mdhd; of 62.19, the tables of samples and btrt are as its source has
-/// them.
+/// All boxes in their order, with all their fields. Measured on libavformat 59.27 and 62.19, which
+/// write the same but for the duration in mdhd; of 62.19, the tables of samples and btrt are as its
+/// source has them.
 constexpr std::array kMp4Rows{
     LayoutRow{0, "ftyp", 1, 1, "69736f6d 00000200 69736f6d 69736f32 61766331 6d703431"},
     LayoutRow{0, "moov"},
@@ -222,7 +222,7 @@ std::string mp4Difference(std::istream& file, const WrittenForm& form, const Pay
   demand("stss", payload.keys.size() < payload.sizes.size());
   demand("ctts", std::ranges::any_of(payload.delays, [](auto delay) { return delay > 0; }));
   const LayoutValues values = valuesOf(form, payload, beginOfSamples(file));
-  return differenceFrom(rows, values, file, writtenBoxAt);
+  return differenceFrom(rows, values, file, writtenBoxAt, PartOrder::AsRows);
 }
 
 }  // namespace rotatebook::video

@@ -317,7 +317,8 @@ std::string webmDifference(std::istream& file, const WrittenForm& form, const Pa
   only(kAlphaMode, form.transparent ? 1 : 0);
   only(kGroup, form.transparent ? kAnyNumber : 0);
   only(kBlock, form.transparent ? 0 : kAnyNumber);
-  const std::string difference = differenceFrom(rows, valuesOf(form, payload), file, webmElementAt);
+  const std::string difference =
+      differenceFrom(rows, valuesOf(form, payload), file, webmElementAt, PartOrder::Any);
   if (!difference.empty()) return difference;
   const Part segment = elementIn(file, Part{"", 0, 0, sizeOf(file)}, kSegment);
   const std::vector<Block> blocks = blocksIn(file, segment);

@@ -2,9 +2,11 @@
 #include "video/written_form.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -353,6 +355,34 @@ TEST(WrittenForm, NamesWhatDiffers) {
             "moov/trak/mdia/minf/stbl lacks stss");
   EXPECT_EQ(differenceWith(VideoFormat::WebM, {kTrack, kBack, "", "\xe0"}),
             "Segment/Tracks/TrackEntry holds one Video too many");
+}
+
+/// Calls `action` with each file in which two neighbours of `part`, or of one in it, changed
+/// places.
+template <typename Action>
+void forEachSwap(const PartTree& whole, PartTree& part, const std::string& name,
+                 const Action& action) {
+  for (std::size_t i = 0; i < part.parts.size(); ++i) {
+    forEachSwap(whole, part.parts[i], name + "/" + part.parts[i].id, action);
+    if (i == 0) continue;
+    std::swap(part.parts[i - 1], part.parts[i]);
+    action(testing::mp4Of(whole), name + "/" + part.parts[i].id + " " + part.parts[i - 1].id);
+    std::swap(part.parts[i - 1], part.parts[i]);
+  }
+}
+
+// Some players read a box by those before it, or give up where one comes too early.
+TEST(WrittenForm, HasItsBoxesInOrder) {
+  PartTree tree = testing::treeOfMp4(testing::contentOf(writtenAs(VideoFormat::Mp4)));
+  int swaps = 0;
+  forEachSwap(tree, tree, "", [&](const std::string& content, const std::string& which) {
+    EXPECT_TRUE(isRefused(content, VideoFormat::Mp4)) << which;
+    ++swaps;
+  });
+  EXPECT_GT(swaps, 0);
+  std::swap(tree.at("moov").parts[1], tree.at("moov").parts[2]);
+  EXPECT_EQ(differencesIn(testing::mp4Of(tree), VideoFormat::Mp4).container,
+            "moov has its udta before its trak");
 }
 
 }  // namespace

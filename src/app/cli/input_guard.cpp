@@ -61,8 +61,9 @@ void requireEnding(const fs::path& output, const std::string& ending, const std:
 void requirePictureOutput(const fs::path& output, const std::vector<Input>& inputs) {
   refuseInputs(output, inputs);
   requireEnding(output, ".png");
-  store::refuseResultsOfOthers({store::ResultKind::Still, ""}, {output},
-                               "the picture would replace it; name another file with -o");
+  const std::string remedy = "the picture would replace it; name another file with -o";
+  store::refuseResultsOfOthers({store::ResultKind::Still, ""}, {output}, remedy);
+  store::refusePictureOfOthers(output, remedy);
 }
 
 void requireAbsent(const std::filesystem::path& path) {

@@ -41,7 +41,7 @@ void requireEnding(const std::filesystem::path& output, const std::string& endin
                    const std::string& option = "-o");
 
 /// Throws InputError if a command that draws the single picture `output` reads it, if it isn't
-/// named .png, or if it belongs to a clip, a map or a study.
+/// named .png, or if it belongs to a clip, a map or a study, or has no mark of the program.
 void requirePictureOutput(const std::filesystem::path& output, const std::vector<Input>& inputs);
 
 /// Throws InputError if there is something at `path`.

@@ -89,19 +89,12 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
   }
 }
 
-/// Prints a note that `file` was replaced.
-void noteReplaced(const fs::path& file) {
-  std::cerr << "note: replaced " << oneLine(file.string())
-            << ", which wasn't of this folder's page\n";
-}
-
 /// Returns whether the overview shows a picture of the figure; studies and maps have their own.
 bool needsThumbnail(const page::Figure& figure) {
   return figure.kind != page::FigureKind::Study && figure.kind != page::FigureKind::Map;
 }
 
-/// Draws the thumbnails; notes which replaced a file, unless the folder `hasPage` of ours.
-void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool hasPage,
+void drawThumbnails(const Shown& shown, const PageArguments& arguments,
                     std::vector<page::Figure>& figures) {
   const auto fileOf = [&](std::size_t i) {
     return store::clipFiles(arguments.folder, shown.scenes[i].name).thumbnail;
@@ -109,20 +102,19 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool has
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     refuseInputs(fileOf(i), shown.inputs, kOtherFolder);
-    store::refuseResultsOfOthers(
-        {store::ResultKind::Clip, shown.scenes[i].name}, {fileOf(i)},
-        "the page's picture of " + shown.scenes[i].name +
-            " would replace it; rename the scene, or make the page without it "
-            "by --no-thumbnails");
+    const std::string remedy = "the page's picture of " + shown.scenes[i].name +
+                               " would replace it; rename the scene, or make the page without it "
+                               "by --no-thumbnails";
+    store::refuseResultsOfOthers({store::ResultKind::Clip, shown.scenes[i].name}, {fileOf(i)},
+                                 remedy);
+    store::refusePictureOfOthers(fileOf(i), remedy);
   }
   const render::DeviceChoice device = arguments.deviceOptions.choice();
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];
     const image::Image picture = drawThumbnail(scene, device);
-    const bool isForeign = !hasPage && fs::exists(fileOf(i));
     image::writePng(fileOf(i), picture.view(), scene::isTransparent(scene));
-    if (isForeign) noteReplaced(fileOf(i));
   }
 }
 
@@ -178,17 +170,23 @@ void writePack(const PackToWrite& all, const PageArguments& arguments) {
             << " MB for the web\n";
 }
 
+/// Throws InputError if there is a page that isn't of this program.
+void refuseOtherPage(const fs::path& path) {
+  if (!fs::is_regular_file(path) || page::isPage(system::readFileOrEmpty(path))) return;
+  throw InputError(path.string() +
+                   " is no page of rotatebook, and would be replaced; move it away, or name "
+                   "another folder with -o");
+}
+
 int writePage(const PageArguments& arguments) {
   const Shown shown = readAll(arguments);
   const auto path = fs::path(arguments.folder) / page::kPageName;
   refuseInputs(path, shown.inputs, kOtherFolder);
+  refuseOtherPage(path);
   std::vector<page::Figure> figures = readFigures(shown, arguments, false);
   const std::optional<PackToWrite> pack = packOf(shown, arguments);
-  const bool replaces = fs::exists(path);
-  const bool hasPage = page::isPage(system::readFileOrEmpty(path));
-  if (!arguments.noThumbnails) drawThumbnails(shown, arguments, hasPage, figures);
+  if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
   system::writeFileAtomically(path, page::pageText(arguments.title, figures, liveOf(arguments)));
-  if (replaces && !hasPage) noteReplaced(path);
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
   }

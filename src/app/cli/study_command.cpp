@@ -31,6 +31,7 @@
 #include "study/study.h"
 #include "study/study_csv.h"
 #include "system/atomic_file.h"
+#include "system/program_mark.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -121,9 +122,11 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
-    store::refuseResultsOfOthers(
-        {store::ResultKind::Study, scene.name}, allOf(tasks.back().files),
-        "the study of " + scene.name + " would replace it; name another folder with -o");
+    const std::string remedy =
+        "the study of " + scene.name + " would replace it; name another folder with -o";
+    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name}, allOf(tasks.back().files),
+                                 remedy);
+    store::refuseNoResultsOfStudy(tasks.back().files, remedy);
   }
   return tasks;
 }
@@ -158,7 +161,7 @@ int finish(const Task& task, const study::Study& result, StudiedScene& studied, 
   refuseNoResult(task, result);
   const int status = statusOf(reportStudy(result, *task.scene.study, out));
   for (const plot::PlotFile& plotted : plot::studyPlot(result, task.scene, task.files.plots)) {
-    system::writeFileAtomically(plotted.path, plotted.bytes);
+    system::writeMarked(plotted.path, plotted.bytes);
     studied.files.push_back(plotted.path.string());
   }
   studied.files.push_back(task.files.json.string());

@@ -86,8 +86,9 @@ void refuseLostResults(const scene::Scene& scene, const PlanWishes& wishes) {
     store::refuseResultsOfOthers({store::ResultKind::Map, scene.name}, allOf(files), remedy);
     store::refuseNoResultsOfMap(files);
   } else {
-    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name},
-                                 allOf(store::studyFiles(wishes.folder, scene.name)), remedy);
+    const store::StudyFiles files = store::studyFiles(wishes.folder, scene.name);
+    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name}, allOf(files), remedy);
+    store::refuseNoResultsOfStudy(files, remedy);
   }
 }
 

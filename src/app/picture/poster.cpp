@@ -1,11 +1,8 @@
 #include "picture/poster.h"
 
 #include <algorithm>
-#include <string>
 
 #include "image/png_file.h"
-#include "system/atomic_file.h"
-#include "system/program_mark.h"
 
 namespace rotatebook::picture {
 
@@ -18,9 +15,7 @@ void writePoster(FrameDrawer& drawer, std::int64_t frame, bool transparent,
                  const std::filesystem::path& path) {
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
-  std::string bytes = image::PngWriter(transparent).encode(picture.view(), path.string());
-  system::addProgramMark(bytes);
-  system::writeFileAtomically(path, bytes);
+  image::writePng(path, picture.view(), transparent);
 }
 
 }  // namespace rotatebook::picture

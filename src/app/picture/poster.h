@@ -13,8 +13,7 @@ namespace rotatebook::picture {
 /// middle one of the clip's `frames` > 0.
 std::int64_t posterFrame(const scene::ClipSettings& clip, std::int64_t frames);
 
-/// Draws frame `frame` and writes it to `path`, with its alpha if `transparent`, and
-/// the program's mark. Throws
+/// Draws frame `frame` and writes it to `path`, with its alpha if `transparent`. Throws
 /// MachineError.
 void writePoster(FrameDrawer& drawer, std::int64_t frame, bool transparent,
                  const std::filesystem::path& path);

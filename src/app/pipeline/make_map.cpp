@@ -14,6 +14,7 @@
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "system/atomic_file.h"
+#include "system/program_mark.h"
 #include "system/read_file.h"
 
 namespace rotatebook::pipeline {
@@ -125,7 +126,7 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRun
   }
   image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
   for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
-    system::writeFileAtomically(plotted.path, plotted.bytes);
+    system::writeMarked(plotted.path, plotted.bytes);
   system::writeFileAtomically(files.json, json);
   store::MapTiles(files.tiles, "").remove();
   return written;

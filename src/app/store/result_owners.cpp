@@ -15,6 +15,7 @@
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "study/study_csv.h"
+#include "system/file_checksum.h"
 #include "system/program_mark.h"
 #include "system/read_file.h"
 #include "timeline/clip_json.h"
@@ -32,11 +33,15 @@ const char* titleOf(ResultKind kind) {
   return kTitles[static_cast<int>(kind)];
 }
 
+bool isFile(const fs::path& path) {
+  std::error_code missing;
+  return fs::is_regular_file(path, missing);
+}
+
 /// Returns the header row of a table; empty if there is none.
 std::string headerOf(const fs::path& csv) {
   constexpr std::size_t kLongestHeader = 10'000;
-  std::error_code missing;
-  if (!fs::is_regular_file(csv, missing)) return "";
+  if (!isFile(csv)) return "";
   std::string start(kLongestHeader, '\0');
   std::ifstream file(csv, std::ios::binary);
   file.read(start.data(), std::ssize(start));
@@ -44,9 +49,20 @@ std::string headerOf(const fs::path& csv) {
   return start.substr(0, start.find('\n'));
 }
 
+/// Returns whether an array is the one that the map's JSON describes, or may be, without that.
+bool isArrayOfMap(const MapFiles& map) {
+  const study::MapChecksums made = study::checksumsIn(system::readFileOrEmpty(map.json));
+  return made.npy.empty() || made.npy == system::checksumOfFile(map.npy);
+}
+
 bool isMapJson(const fs::path& json) {
   const study::MapChecksums made = study::checksumsIn(system::readFileOrEmpty(json));
   return !made.fingerprint.empty() && !made.npy.empty();
+}
+
+bool isStudyJson(const fs::path& json) {
+  const std::string text = system::readFileOrEmpty(json);
+  return text.starts_with("{\"name\": ") && text.find("\"runs\": [") != text.npos;
 }
 
 bool isOfMap(const MapFiles& map, const fs::path& file) {
@@ -138,8 +154,7 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
   if (outputs.empty()) return;
   refuseFilesOfOtherClips(clipFiles(outputs.front().parent_path(), own.name), outputs, remedy);
   for (const fs::path& file : outputs) {
-    std::error_code missing;
-    if (!fs::is_regular_file(file, missing)) continue;
+    if (!isFile(file)) continue;
     const std::vector<Results> owners = ownersOf(file, own.kind == ResultKind::Clip);
     if (owners.empty() || std::ranges::count(owners, own) > 0) continue;
     throw InputError(file.string() + " belongs to " + titleOf(owners.front().kind) + ' ' +
@@ -150,8 +165,7 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
 void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& outputs,
                            const std::string& remedy) {
   for (const fs::path& file : outputs) {
-    std::error_code missing;
-    if (!fs::is_regular_file(file, missing)) continue;
+    if (!isFile(file)) continue;
     const bool isKnown = file.extension() == ".csv"    ? isTable(file)
                          : file.extension() == ".json" ? isResult(file)
                          : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
@@ -162,11 +176,6 @@ void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& 
 }
 
 void refuseNoResultsOfMap(const MapFiles& files) {
-  const auto isFile = [](const fs::path& file) {
-    std::error_code missing;
-    return fs::is_regular_file(file, missing);
-  };
-  const bool isMap = isFile(files.npy) || isFile(files.json);
   const auto refuse = [&](const fs::path& file, bool isKnown) {
     if (isKnown || !isFile(file)) return;
     throw InputError(file.string() +
@@ -175,8 +184,24 @@ void refuseNoResultsOfMap(const MapFiles& files) {
   };
   refuse(files.csv, study::isMapHeader(headerOf(files.csv)));
   refuse(files.json, isMapJson(files.json));
-  for (const fs::path& file : files.plots) refuse(file, isMap);
-  refuse(files.plain, isMap);
+  if (isFile(files.npy)) refuse(files.npy, isArrayOfMap(files));
+  for (const fs::path& file : files.plots) refuse(file, system::hasProgramMark(file));
+  refuse(files.plain, system::hasProgramMark(files.plain));
+}
+
+void refuseNoResultsOfStudy(const StudyFiles& files, const std::string& remedy) {
+  for (const fs::path& file : allOf(files)) {
+    if (!isFile(file)) continue;
+    const bool isKnown = file == files.csv    ? study::isStudyHeader(headerOf(file))
+                         : file == files.json ? isStudyJson(file)
+                                              : system::hasProgramMark(file);
+    if (!isKnown) throw InputError(file.string() + " was left by no study, and " + remedy);
+  }
+}
+
+void refusePictureOfOthers(const fs::path& picture, const std::string& remedy) {
+  if (!isFile(picture) || system::hasProgramMark(picture)) return;
+  throw InputError(picture.string() + " has no mark of rotatebook, and " + remedy);
 }
 
 }  // namespace rotatebook::store

@@ -8,6 +8,7 @@
 
 #include "store/clip_files.h"
 #include "store/map_files.h"
+#include "store/study_files.h"
 
 namespace rotatebook::store {
 
@@ -37,8 +38,16 @@ void refuseNoResultsOfClip(const ClipFiles& files,
                            const std::vector<std::filesystem::path>& outputs,
                            const std::string& remedy);
 
-/// Throws InputError if a map would replace or remove a table, JSON or picture that no map left. Of
-/// pictures that follows from the array and the JSON, without which no map leaves any.
+/// Throws InputError if a map would replace or remove a table, JSON or picture that no map left:
+/// pictures have the program's mark, and the array is the one that the JSON describes.
 void refuseNoResultsOfMap(const MapFiles& files);
+
+/// Throws InputError if a study would replace a file that no study left. The message ends with
+/// `remedy`, as above.
+void refuseNoResultsOfStudy(const StudyFiles& files, const std::string& remedy);
+
+/// Throws InputError if there is a file at `picture` without the program's mark. The message ends
+/// with `remedy`, as above.
+void refusePictureOfOthers(const std::filesystem::path& picture, const std::string& remedy);
 
 }  // namespace rotatebook::store

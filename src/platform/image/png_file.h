@@ -12,12 +12,13 @@
 
 namespace rotatebook::image {
 
-/// Writes `view` as an 8-bit PNG with an sRGB chunk, opaque unless `transparent`. The file appears
-/// whole or not at all (see AtomicFile). Throws MachineError.
+/// Writes `view` as an 8-bit PNG with an sRGB chunk and the program's mark, opaque unless
+/// `transparent`. The file appears whole or not at all (see AtomicFile). Throws MachineError.
 void writePng(const std::filesystem::path& path, ImageView view, bool transparent = false);
 
-/// Writes PNGs one after the other, with the same bytes as writePng(), but faster: it reuses what
-/// it packed for the previous picture where the two are equal. For one thread at a time.
+/// Writes PNGs one after the other, with the bytes of writePng() but for the mark, and faster: it
+/// reuses what it packed for the previous picture where the two are equal. For one thread at a
+/// time.
 class PngWriter {
  public:
   explicit PngWriter(bool transparent = false);

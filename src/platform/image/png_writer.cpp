@@ -10,6 +10,7 @@
 #include "image/png_guard.h"
 #include "image/png_pixels.h"
 #include "system/atomic_file.h"
+#include "system/program_mark.h"
 
 namespace rotatebook::image {
 namespace {
@@ -120,7 +121,7 @@ const std::string& PngWriter::write(const std::filesystem::path& path, ImageView
 }
 
 void writePng(const std::filesystem::path& path, ImageView view, bool transparent) {
-  PngWriter(transparent).write(path, view);
+  system::writeMarked(path, PngWriter(transparent).encode(view, path.string()));
 }
 
 }  // namespace rotatebook::image

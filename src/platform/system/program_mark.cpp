@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "system/atomic_file.h"
 
 namespace rotatebook::system {
 namespace {
@@ -19,9 +20,11 @@ struct MarkedEnd {
 };
 
 // A chunk is its length, its name, its content and their checksum.
-constexpr std::array<MarkedEnd, 2> kMarkedEnds{
+constexpr std::array<MarkedEnd, 4> kMarkedEnds{
     {{"\0\0\0\x13tEXtSoftware\0rotatebook\x64\x3b\x67\x07"sv, "\0\0\0\0IEND\xae\x42\x60\x82"sv},
-     {"\x21\xfe\x0arotatebook\0"sv, "\x3b"sv}}};
+     {"\x21\xfe\x0arotatebook\0"sv, "\x3b"sv},
+     {"<!-- rotatebook -->\n"sv, "</svg>\n"sv},
+     {"%rotatebook\n"sv, "%%EOF\n"sv}}};
 
 const MarkedEnd& endOf(std::string_view bytes) {
   const auto format = std::ranges::find_if(
@@ -58,6 +61,11 @@ void addProgramMark(const std::filesystem::path& file) {
   stream.write(marked.data(), std::ssize(marked));
   stream.close();
   if (!stream || marked.empty()) throw MachineError("can't write " + file.string());
+}
+
+void writeMarked(const std::filesystem::path& file, std::string bytes) {
+  addProgramMark(bytes);
+  writeFileAtomically(file, bytes);
 }
 
 bool hasProgramMark(const std::filesystem::path& file) {

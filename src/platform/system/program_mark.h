@@ -6,12 +6,14 @@
 
 namespace rotatebook::system {
 
-/// Adds the mark to the bytes of a complete PNG, APNG or GIF: before its end a chunk "Software:
-/// rotatebook" (PNG specification, 11.3.4.3), or a comment (GIF89a, 24). Throws std::logic_error if
-/// they end otherwise.
+/// Adds the mark to the bytes of a complete PNG, APNG, GIF, SVG or PDF: before its end a chunk
+/// "Software: rotatebook" (PNG specification, 11.3.4.3), or a comment (GIF89a, 24). Throws
+/// std::logic_error if they end otherwise.
 void addProgramMark(std::string& bytes);
 /// Adds it to such a file in place. Throws MachineError if it can't be read or written.
 void addProgramMark(const std::filesystem::path& file);
+/// Adds the mark to the bytes, and writes them by writeFileAtomically().
+void writeMarked(const std::filesystem::path& file, std::string bytes);
 
 /// Returns whether a file ends with the mark.
 bool hasProgramMark(const std::filesystem::path& file);

@@ -93,7 +93,7 @@ TEST_F(OutputFailure, FolderInTheWayOfTheClip) {
 
 TEST_F(OutputFailure, FolderInTheWayOfAStudy) {
   fs::create_directories(folder() / "out/tiny-study.png");
-  write("out/tiny-study.csv", "of an earlier study");
+  write("out/tiny-study.csv", "order,status\n");
   const ChildResult result = run({"study", "tiny.toml"});
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.error, "rotatebook: can't write out/tiny-study.png: it is a folder\n");

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/program_test.h"
 #include "image/png_file.h"
@@ -84,14 +86,21 @@ TEST_F(PageCommand, LeavesOutAGifOfOtherSettings) {
   EXPECT_EQ(page().output, "wrote out/index.html, 1 figure\n");
 }
 
-TEST_F(PageCommand, NotesWhatItReplacesOfOthers) {
-  const std::string of = ", which wasn't of this folder's page\n";
-  EXPECT_THAT(page().error, IsEmpty());
-  EXPECT_THAT(page().error, IsEmpty());
-  write("out/index.html", "<html>mine</html>");
-  EXPECT_EQ(page({"tiny.toml", "-q"}).error, "note: replaced " + std::string(kThumbnail) + of +
-                                                 "note: replaced out/index.html" + of);
-  EXPECT_THAT(page().error, IsEmpty());
+TEST_F(PageCommand, ReplacesNothingOfOthers) {
+  ASSERT_EQ(page().status, 0);
+  EXPECT_EQ(page().status, 0) << "its own";
+  const std::vector<std::pair<std::string, std::string>> reasons{
+      {"out/index.html", " is no page of rotatebook, and would be replaced"},
+      {kThumbnail, " has no mark of rotatebook, and the page's picture of tiny would replace it"}};
+  for (const auto& [name, reason] : reasons) {
+    const std::string own = read(name);
+    write(name, "<html>mine</html>");
+    const ChildResult refused = page();
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.error, HasSubstr(name + reason));
+    EXPECT_EQ(read(name), "<html>mine</html>");
+    write(name, own);
+  }
 }
 
 TEST_F(PageCommand, RefusesTheResultOfOtherSettings) {

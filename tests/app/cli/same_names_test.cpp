@@ -55,7 +55,33 @@ class SameNames : public ProgramTest {
     EXPECT_EQ(run(first).status, 0) << "its own";
     fs::remove_all(folder() / "out");
   }
+
+  /// Expects that `command`, beside all else that it left, replaces none of the `files` that is of
+  /// others, and each that is its own.
+  void expectOthersKept(const Command& command, const std::vector<std::string>& files,
+                        const std::string& message) const {
+    const ChildResult made = run(command);
+    ASSERT_EQ(made.status, 0) << made.error;
+    for (const std::string& file : files) {
+      const std::string own = read(file);
+      write(file, "mine\n" + own + "x");
+      const ChildResult refused = run(command);
+      EXPECT_EQ(refused.status, 2) << file;
+      EXPECT_THAT(refused.error, HasSubstr(file + message));
+      EXPECT_EQ(read(file), "mine\n" + own + "x");
+      write(file, own);
+    }
+    EXPECT_EQ(run(command).status, 0) << "its own";
+  }
 };
+
+constexpr const char* kStudied = R"([initial]
+angular_velocity = [5.0, 0.0, 0.005]
+[study]
+x = { key = "simulation.substeps", values = [4, 8] }
+measure = ["energy_drift"]
+duration = 0.2
+)";
 
 const Command kRender{"render", "m.toml", "--no-png"};
 const Command kMakeMap{"map", "m.toml"};
@@ -209,9 +235,36 @@ TEST_F(SameNames, OfAClipAndAFileThatNoRenderLeft) {
     expectForeignKept(name, pictures, "--overwrite");
 }
 
+TEST_F(SameNames, OfAStudyAndAFileOfNoStudy) {
+  write("s.toml", kStudied);
+  expectOthersKept({"study", "s.toml"},
+                   {"out/s-study.csv", "out/s-study.json", "out/s-study.png", "out/s-study.svg",
+                    "out/s-study.pdf"},
+                   " was left by no study, and the study of s would replace it");
+}
+
+TEST_F(SameNames, OfAStillAndAPictureOfAnotherProgram) {
+  for (const char* name : {"a.png", "tiny.png"}) write(name, "mine");
+  const std::vector<Command> commands{{"still", "tiny.toml"},
+                                      {"still", "tiny.toml", "-o", "a.png"},
+                                      {"still", "tiny.toml", "-o", "a.png", "--count", "2"}};
+  for (const Command& command : commands) {
+    const ChildResult refused = run(command);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.error, HasSubstr(".png has no mark of rotatebook, and the picture would"));
+  }
+  EXPECT_EQ(read("a.png") + read("tiny.png"), "minemine");
+  fs::remove(folder() / "a.png");
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(run(commands[1]).status, 0) << "its own";
+}
+
 // A map removes its earlier files, its table too, though it may be too large to have one.
 TEST_F(SameNames, OfAMapAndAFileOfNoMap) {
   makeScenes({"m"});
+  expectOthersKept(kMakeMap,
+                   {"out/m.npy", "out/m.png", "out/m.svg", "out/m.pdf", "out/m.plain.png"},
+                   " is no map's, and would be replaced");
+  fs::remove_all(folder() / "out");
   for (const char* name :
        {"out/m.csv", "out/m.json", "out/m.png", "out/m.pdf", "out/m.plain.png"}) {
     write(name, "t,wx,wy,wz\n");

@@ -152,7 +152,7 @@ TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {
 }
 
 TEST_F(StudyCommand, SaysSoIfEveryRunDiverges) {
-  write("out/tiny-study.png", "of an earlier study");
+  write("out/tiny-study.svg", "<!-- rotatebook -->\n</svg>\n");
   const ChildResult result =
       run({"study", "tiny.toml", "--steps", "1,2", "--integrators", "euler", "--set",
            "simulation.model=particles", "--set", "simulation.normalize=false"});
@@ -163,7 +163,7 @@ TEST_F(StudyCommand, SaysSoIfEveryRunDiverges) {
                        "why), so that there is nothing to compare; the first: diverged at "),
             EndsWith(" s; take shorter steps, for example --steps 256,512,1024,2048\n")));
   EXPECT_EQ(countOf("diverged at", read("out/tiny-study.csv")), 2);
-  EXPECT_FALSE(has("out/tiny-study.png"));
+  EXPECT_FALSE(has("out/tiny-study.svg"));
 }
 
 TEST_F(StudyCommand, SaysWhatDoesNotHappen) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "image/png_file.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::picture {
@@ -31,9 +32,9 @@ TEST(Poster, IsThatFrameOfTheClip) {
   const auto folder = pipeline::testing::emptyFolder();
   pipeline::testing::render(smallScene({"clip.poster=0.125"}),
                             {.folder = folder, .outputs = {pipeline::pngOutput()}});
-  const std::string poster = bytesOf(folder / "small.poster.png");
-  EXPECT_EQ(poster, bytesOf(folder / "small" / store::frameName(3)));
-  EXPECT_NE(poster, bytesOf(folder / "small" / store::frameName(4)));
+  const image::Image poster = image::readPng(folder / "small.poster.png");
+  EXPECT_EQ(poster, image::readPng(folder / "small" / store::frameName(3)));
+  EXPECT_FALSE(poster == image::readPng(folder / "small" / store::frameName(4)));
 }
 
 TEST(Poster, IsNotMadeOfAPartOfTheClip) {

@@ -40,7 +40,7 @@ class PngBandsTest : public ::testing::Test {
   PngBandsTest() { fs::create_directories(path_.parent_path()); }
 
   Bytes writtenAlone(const Image& picture, bool transparent) const {
-    writePng(path_, picture.view(), transparent);
+    PngWriter(transparent).write(path_, picture.view());
     return contentOf(path_);
   }
   Bytes writtenBy(PngWriter& writer, const Image& picture) const {

@@ -85,9 +85,22 @@ TEST_F(PngWriterTest, SkipsPaddingBehindRows) {
 TEST_F(PngWriterTest, WritesEightBitRgbMarkedAsSrgb) {
   writtenAndRead({kTwoByTwo.data(), 2, 2, 6, PixelFormat::Rgb8});
   const Bytes file = contentOf(folder_ / "a.png");
-  EXPECT_THAT(testing::chunkTypes(file), ::testing::ElementsAre("IHDR", "sRGB", "IDAT", "IEND"));
+  EXPECT_THAT(testing::chunkTypes(file),
+              ::testing::ElementsAre("IHDR", "sRGB", "IDAT", "tEXt", "IEND"));
   const Bytes head = testing::joined({testing::signature(), testing::headerChunk({2, 2})});
   EXPECT_EQ(Bytes(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(head.size())), head);
+}
+
+TEST_F(PngWriterTest, MarksPicturesAsTheProgramsButNoFrames) {
+  const ImageView picture{kTwoByTwo.data(), 2, 2, 6, PixelFormat::Rgb8};
+  writePng(folder_ / "a.png", picture);
+  PngWriter().write(folder_ / "frame.png", picture);
+  const Bytes frame = contentOf(folder_ / "frame.png");
+  const std::string text("Software\0rotatebook", 19);
+  const Bytes end = testing::chunk("IEND", {});
+  EXPECT_EQ(contentOf(folder_ / "a.png"),
+            testing::joined({Bytes(frame.begin(), frame.end() - std::ssize(end)),
+                             testing::chunk("tEXt", Bytes(text.begin(), text.end())), end}));
 }
 
 // A ramp with some texture, of several bands.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -145,12 +146,23 @@ double stepOf(const std::vector<double>& rates, double largest) {
   return std::max(step, floor);
 }
 
-/// Returns whether an axis stays at its extreme value for `count` readings, and doesn't come there
-/// or leave it as the top of a smooth curve in rounded numbers does: by a step, with noise by two.
+/// Returns whether one of `count` readings from the `i`-th on, by `stride`, is smaller than `size`.
+bool fallsBelow(double size, const std::vector<double>& rates, std::ptrdiff_t i,
+                std::ptrdiff_t stride, std::size_t count) {
+  for (; count > 0 && i >= 0 && i < std::ssize(rates); i += stride, --count) {
+    if (std::abs(rates[static_cast<std::size_t>(i)]) < size) return true;
+  }
+  return false;
+}
+
+/// Returns whether an axis stays at its extreme value for at least four readings, and five times as
+/// long as it takes to come there or to leave it by more than two steps of rounded numbers: at the
+/// top of a smooth curve these take longer.
 bool isClipped(const std::vector<InertialReading>& flight, const std::vector<double>& rates,
-               double largest, std::size_t count) {
+               double largest) {
   constexpr double kSteps = 2.5;
-  const double top = largest - kSteps * stepOf(rates, largest);
+  constexpr std::size_t kTimes = 5;
+  const double below = largest - kSteps * stepOf(rates, largest);
   for (std::size_t begin = 0, end = 0; begin < rates.size(); begin = end + 1) {
     std::size_t run = 0;
     for (end = begin; end < rates.size() && std::abs(rates[end]) == largest; ++end) {
@@ -159,16 +171,16 @@ bool isClipped(const std::vector<InertialReading>& flight, const std::vector<dou
           end > 0 && flight[end].rate.angularVelocity == flight[end - 1].rate.angularVelocity;
       run += isHeld ? 0 : 1;
     }
-    const bool jumps = (begin > 0 && std::abs(rates[begin - 1]) < top) ||
-                       (end < rates.size() && std::abs(rates[end]) < top);
-    if (run >= count && jumps) return true;
+    const std::size_t count = (run + 1) / kTimes;
+    if (fallsBelow(below, rates, static_cast<std::ptrdiff_t>(begin) - 1, -1, count) ||
+        fallsBelow(below, rates, static_cast<std::ptrdiff_t>(end), 1, count))
+      return true;
   }
   return false;
 }
 
 /// Refuses a flight in which an axis stays at its extreme value for several readings.
 void requireUnclipped(const std::vector<InertialReading>& flight, const std::string& name) {
-  constexpr std::size_t kRun = 4;
   constexpr double kLowestRange = 4;  // of gyroscopes, 250 deg/s [rad/s]
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     std::vector<double> rates;
@@ -177,10 +189,9 @@ void requireUnclipped(const std::vector<InertialReading>& flight, const std::str
       rates.push_back(one.rate.angularVelocity[axis]);
       largest = std::max(largest, std::abs(rates.back()));
     }
-    if (largest < kLowestRange || !isClipped(flight, rates, largest, kRun)) continue;
+    if (largest < kLowestRange || !isClipped(flight, rates, largest)) continue;
     throw InputError(name + ": the gyroscope clips at " + degreesASecond(largest) + " about " +
-                     "xyz"[axis] + ": " + std::to_string(kRun) +
-                     " readings in a row have that value; toss the body more slowly");
+                     "xyz"[axis] + ": it stays at that value; toss the body more slowly");
   }
 }
 

@@ -143,6 +143,13 @@ TEST(Toss, DoesntTakeRoundedRatesForClipped) {
   }
 }
 
+TEST(Toss, RefusesRoundedRatesThatAreClipped) {
+  const double step = 3 * kDegree;
+  const auto given = [&](double rate) { return std::round(std::min(rate, 8.5) / step) * step; };
+  EXPECT_THAT(refusalOf([&] { fitToss(flightAs(given), "t.csv", {.from = 0, .to = 0.79}); }),
+              HasSubstr("t.csv: the gyroscope clips at 486 deg/s about "));
+}
+
 TEST(Toss, RefusesASteadySpinThatIsClipped) {
   const auto clipped = [](double rate) { return std::min(rate, 8.9); };
   EXPECT_THAT(refusalOf([&] { fitToss(flightAs(clipped), "t.csv", {.from = 0, .to = 0.1}); }),

@@ -54,7 +54,7 @@ struct LayoutValues {
   std::map<std::string_view, std::vector<std::string>> texts{};
 };
 
-/// Whether parts follow each other as their rows do. Players of MP4s may read a box by what they
+/// The order of parts: that of their rows, or any. Players of MP4s may read a box by what they
 /// know from those before it; elements of a WebM have no order.
 enum class PartOrder { AsRows, Any };
 

@@ -196,8 +196,8 @@ void addJudgeCommand(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"body", "world"}))
       ->group("Recording");
   command->footer(R"(
-Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
-of method that errs so. A table whose rates contradict its attitudes, or that tells too little, isn't
+Prints the error, the drift of energy and angular momentum, the flips made and due, and the kind of
+method that errs so. A table whose rates contradict its attitudes, or that tells too little, isn't
 judged: what is wrong with it is said, and the exit status is 1.
 
 Examples:

@@ -108,7 +108,7 @@ void addSimulateCommand(CLI::App& program, Action& action) {
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
   addNoExpect(*command, arguments->noExpect);
   command->footer(R"(
-Reports half-turns, energy, distance to the exact motion, and what was expected.
+Reports flips, energy, distance to the exact motion, and what was expected.
 
 Examples:
   rotatebook simulate scenes/starter.toml

@@ -54,7 +54,7 @@ void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inert
   const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
   notes.push_back("the body flips every " + roundedText(frames, kDigits) +
-                  " frames, so that frames, half-turns and expectations miss flips; " +
+                  " frames, so that frames, counts and expectations miss some; " +
                   remedyForSpeed(motion.simulation));
 }
 

@@ -71,8 +71,8 @@ std::string bigEndianBytes(std::uint64_t number, int count);
 std::uint64_t sizeOf(std::istream& file);
 
 /// Returns the first difference of `file` from the layout `rows`: "moov/trak/tkhd differs", "moov
-/// holds one trak too many", "moov has its udta before its
-/// trak"; empty if there is none. `file` may be anything.
+/// holds one trak too many", "moov has its udta before its trak"; empty if there is
+/// none. `file` may be anything.
 std::string differenceFrom(std::span<const LayoutRow> rows, const LayoutValues& values,
                            std::istream& file, PartAt partAt, PartOrder order);
 

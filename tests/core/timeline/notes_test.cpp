@@ -65,7 +65,7 @@ TEST(Notes, AreMadeOnASpinTooFastForTheFrames) {
   EXPECT_THAT(notesWith("initial.angular_velocity = [500, 0, 0.1]\n"),
               ElementsAre(HasSubstr("spins by 1.33 turns from frame to frame")));
   EXPECT_THAT(notesWith("initial.angular_velocity = [150, 0, 90]\n"),
-              ElementsAre(HasSubstr("frames, so that frames, half-turns and expectations miss")));
+              ElementsAre(HasSubstr("frames, so that frames, counts and expectations miss some")));
 }
 
 TEST(Notes, AreMadeOnASpinThatNeverTumbles) {

@@ -16,7 +16,6 @@ namespace rotatebook::picture {
 namespace {
 
 namespace fs = std::filesystem;
-using pipeline::testing::bytesOf;
 using pipeline::testing::smallScene;
 using ::testing::HasSubstr;
 
@@ -29,7 +28,8 @@ TEST(Still, IsTheClipsFrameNearestToTheTime) {
   for (const auto& [time, frame] :
        {std::pair{0.0, 0}, {5.0, 5}, {5.4, 5}, {5.6, 6}, {11.0, 11}, {12.0, 11}}) {
     EXPECT_EQ(still(time), frame) << time;
-    EXPECT_EQ(bytesOf(folder / "still.png"), bytesOf(folder / "small" / store::frameName(frame)))
+    EXPECT_EQ(image::readPng(folder / "still.png"),
+              image::readPng(folder / "small" / store::frameName(frame)))
         << time;
   }
 }

@@ -71,7 +71,7 @@ void writeMarked(const std::filesystem::path& file, std::string bytes) {
 bool hasProgramMark(const std::filesystem::path& file) {
   const std::string tail = tailOf(file);
   return std::ranges::any_of(kMarkedEnds, [&](const MarkedEnd& format) {
-    return tail.ends_with(std::string(format.mark) + std::string(format.end));
+    return tail.find(std::string(format.mark) + std::string(format.end)) != tail.npos;
   });
 }
 

@@ -15,7 +15,7 @@ void addProgramMark(const std::filesystem::path& file);
 /// Adds the mark to the bytes, and writes them by writeFileAtomically().
 void writeMarked(const std::filesystem::path& file, std::string bytes);
 
-/// Returns whether a file ends with the mark.
+/// Returns whether a file ends with the mark, or did before a few bytes were added.
 bool hasProgramMark(const std::filesystem::path& file);
 
 }  // namespace rotatebook::system

@@ -47,7 +47,7 @@ void renderSerially(const scene::Scene& scene, const std::string& record, const 
   image::Image picture = drawer.makePicture();
   for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
     drawer.draw(frame, picture);
-    image::writePng(folder / "small" / store::frameName(frame), picture.view());
+    image::PngWriter().write(folder / "small" / store::frameName(frame), picture.view());
     writer.write(picture.view());
   }
   writer.finish();

@@ -28,6 +28,7 @@ TEST(ProgramMark, IsBeforeTheEndOfAPictureAndChangesNothingElse) {
       EXPECT_TRUE(bytes.starts_with(start) && bytes.ends_with(end));
       EXPECT_NE(bytes.find("rotatebook", length), bytes.npos);
       EXPECT_TRUE(hasProgramMark(fileWith(bytes)));
+      EXPECT_TRUE(hasProgramMark(fileWith(bytes + "x"))) << "a damaged file is the program's";
       const auto file = fileWith(start + end);
       EXPECT_FALSE(hasProgramMark(file));
       addProgramMark(file);

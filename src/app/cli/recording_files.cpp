@@ -200,6 +200,12 @@ RecordingFiles chosenOf(const std::string& path, std::vector<TableFile> tables,
   const auto contents = [&](const TableFile& table) {
     return recording::contentsOf(table.table(), options);
   };
+  if (tables.empty()) {
+    throw InputError(
+        path +
+        ": no table is in it (.csv or .txt); export the recording as CSV, of phyphox's "
+        "formats \"CSV (Comma, decimal point)\"");
+  }
   RecordingFiles files;
   auto motion = takeOnly(path, tables, "rates", "gyroscope.", [&](const TableFile& table) {
     return contents(table).hasRates && !contents(table).hasAttitudes;

@@ -110,12 +110,8 @@ constexpr std::array kOtherWords{
     OtherWord{"1/min", "rpm"},
 };
 
-char lowerCase(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
 bool same(char a, char b) {
-  return lowerCase(a) == lowerCase(b);
+  return lowerCase({&a, 1}) == lowerCase({&b, 1});
 }
 
 // Returns the edit distance, counting swapped neighbours as one edit (optimal string alignment).

@@ -14,6 +14,9 @@ inline constexpr std::size_t kWholeText = 1 << 28;  ///< More letters than any t
 /// Returns `text` without spaces, tabs and line ends at its beginning and end.
 std::string_view trimmed(std::string_view text);
 
+/// Returns `text` with small letters in place of A to Z.
+std::string lowerCase(std::string_view text);
+
 /// Returns "a, b, c" from the parts that aren't empty.
 std::string joined(const std::vector<std::string>& parts, std::string_view between = ", ");
 

@@ -41,14 +41,6 @@ std::string_view withoutPadding(std::string_view text) {
   return text.substr(0, text.find_first_of(kEnds, text.find_last_not_of(kPadding) + 1));
 }
 
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  for (char& letter : lower) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return lower;
-}
-
 void MeshWords::takeLineEnd() {
   rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
   ++line_;

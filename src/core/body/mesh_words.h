@@ -61,9 +61,6 @@ std::string_view withoutPadding(std::string_view text);
 /// it.
 void refuseUtf16(std::string_view text);
 
-/// Returns the text with small letters in place of A to Z.
-std::string lowerCase(std::string_view text);
-
 /// Returns what is wrong with a word that should be a number, behind what it is: " must be a
 /// number, and is "3,5"; write decimal points".
 std::string noNumber(std::string_view word);

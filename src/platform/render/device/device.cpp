@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -177,10 +176,7 @@ ChosenDisplay chooseDisplay(const DisplayCandidates& list, const DeviceChoice& c
 bool isSoftwareRenderer(std::string_view renderer) {
   constexpr std::array<std::string_view, 5> kNames{"llvmpipe", "softpipe", "swrast",
                                                    "software rasterizer", "swiftshader"};
-  std::string lower(renderer);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char letter) {
-    return static_cast<char>(std::tolower(letter));
-  });
+  const std::string lower = lowerCase(renderer);
   return std::ranges::any_of(
       kNames, [&](std::string_view name) { return lower.find(name) != std::string::npos; });
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/text.h"
 #include "recording/unit_tables.h"
 #include "recording/words.h"
 
@@ -36,7 +37,7 @@ std::vector<std::string> wordsInName(std::string_view name) {
     const bool isBetween = isAmongLetters(letter, kBetween);
     const bool begins = isCapital(letter) && before >= 'a' && before <= 'z';
     if ((isBetween || begins) && !words.back().empty()) words.emplace_back();
-    if (!isBetween) words.back() += smallText({&letter, 1});
+    if (!isBetween) words.back() += lowerCase({&letter, 1});
     before = letter;
   }
   if (words.back().empty()) words.pop_back();
@@ -61,7 +62,7 @@ Bracketed bracketedOf(std::string_view header) {
       if (closes && depth == 0) break;
       depth += isAmongLetters(header[end], "([{") ? 1 : closes ? -1 : 0;
     }
-    std::string inside = smallText(header.substr(0, end));
+    std::string inside = lowerCase(header.substr(0, end));
     header.remove_prefix(std::min(end + 1, header.size()));
     std::erase(inside, ' ');
     if (isNumber(inside)) {

@@ -49,7 +49,7 @@ double stepWritten(const CsvTable& table, std::size_t column) {
 }
 
 const Program* programOf(const CsvTable& table, const Columns& columns) {
-  const std::string &header = table.header()[columns.time], small = smallText(header);
+  const std::string &header = table.header()[columns.time], small = lowerCase(header);
   const std::string name = columnNameOf(header).plain;
   const auto found = std::ranges::find_if(kPrograms, [&](const Program& program) {
     const bool isNamed = small == program.time || isTimeNamed(name, program.time);
@@ -146,7 +146,7 @@ std::optional<double> rateUnitIn(std::string_view header) {
   const ColumnName name = columnNameOf(header);
   if (!name.unit.empty()) return unitNamed(kUnitsOfRates, name.unit);
   if (isOfRos(header)) return 1;
-  const std::string text = smallText(header);
+  const std::string text = lowerCase(header);
   const auto has = [&](std::string_view part) { return text.find(part) != text.npos; };
   if (has("mdeg") || has("mdps") || has("millideg")) return kDegree / 1000;
   if (has("deg") || has("\xC2\xB0") || has("dps")) return kDegree;  // a degree sign

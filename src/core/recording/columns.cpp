@@ -27,7 +27,7 @@ bool areAlongBody(const CsvTable& table, const Columns& columns, std::string_vie
 
 /// Returns the small letters of a file's name, without its folders.
 std::string fileNameOf(const std::string& path) {
-  return smallText(path.substr(path.find_last_of("/\\:") + 1));
+  return lowerCase(path.substr(path.find_last_of("/\\:") + 1));
 }
 
 /// Gives columns called x, y and z alone to the sensor that their unit or the file's name says.

@@ -80,7 +80,7 @@ void takeHeader(CsvLayout& layout, const HeadLine& line, std::size_t cellsOfRow)
 /// Returns the unit in a cell, in small letters, without brackets and Shimmer's sign of a usual
 /// calibration; empty if it isn't one that is known.
 std::string unitIn(std::string_view cell) {
-  std::string unit = smallText(cell);
+  std::string unit = lowerCase(cell);
   std::erase(unit, ' ');
   if (unit.ends_with('*')) unit.pop_back();
   const bool isBracketed = unit.size() > 2 && (unit.front() == '(' || unit.front() == '[');

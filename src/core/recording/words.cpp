@@ -14,14 +14,6 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
   }
 }
 
-std::string smallText(std::string_view text) {
-  std::string result(text);
-  for (char& letter : result) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return result;
-}
-
 bool isAmong(std::string_view list, std::string_view word) {
   return std::ranges::count(wordsOf(list), word) > 0;
 }

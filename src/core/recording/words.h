@@ -10,9 +10,6 @@ namespace rotatebook::recording {
 /// Returns the words of `text`, which are separated by single blanks.
 std::vector<std::string_view> wordsOf(std::string_view text);
 
-/// Returns `text` with small letters of ASCII.
-std::string smallText(std::string_view text);
-
 /// Returns whether `word` is one of those in `list`, which are separated by blanks.
 bool isAmong(std::string_view list, std::string_view word);
 

@@ -1,7 +1,6 @@
 #include "cli/format_options.h"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 #include <system_error>
@@ -57,12 +56,6 @@ bool isFolder(const std::string& output) {
          fs::is_directory(output, ignored);
 }
 
-bool isSameInSmallLetters(std::string_view ending, std::string_view small) {
-  return std::ranges::equal(ending, small, [](char letter, char other) {
-    return std::tolower(static_cast<unsigned char>(letter)) == other;
-  });
-}
-
 video::VideoFormat formatOf(const std::string& output) {
   const fs::path path(output);
   const std::string ending = path.extension().string();
@@ -70,7 +63,7 @@ video::VideoFormat formatOf(const std::string& output) {
   for (const video::VideoFormat format : video::kVideoFormats) {
     const std::string_view own = rowOf(format).ending;
     if (ending == own) return format;
-    if (isSameInSmallLetters(ending, own)) {
+    if (lowerCase(ending) == own) {
       throw InputError("--output " + output + ": videos end in small letters; write " +
                        fs::path(path).replace_extension(own).string());
     }

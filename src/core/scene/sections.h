@@ -31,7 +31,7 @@ inline constexpr std::size_t kMaxPanels = 6;
 /// Most samples of all books of a grid.
 inline constexpr std::int64_t kMaxGridSamples = 6 * kMaxFrames;
 
-/// Most runs of a sweep, and most quantities that it measures.
+/// Most runs of a study, and most quantities that it measures.
 inline constexpr std::size_t kMaxRuns = 1000;
 inline constexpr std::size_t kMaxMeasures = 3;
 

@@ -12,15 +12,15 @@ struct Change {
   double speed;  // after it
 };
 
-/// Returns all changes of speed, the first at 0.
-std::vector<Change> changesOf(const std::vector<SpeedStretch>& stretches) {
+/// Returns all changes of speed before `end`, the first at 0.
+std::vector<Change> changesOf(const std::vector<SpeedStretch>& stretches, double end) {
   std::vector<Change> changes{{0, 1}};
   for (const SpeedStretch& stretch : stretches) {
     // A stretch that begins with the one before, or at 0, replaces the return to 1.
     if (stretch.from == changes.back().at) changes.pop_back();
     const bool goesOnHolding = stretch.value == 0 && !changes.empty() && changes.back().speed == 0;
     if (!goesOnHolding) changes.push_back({stretch.from, stretch.value});
-    changes.push_back({stretch.to, 1});
+    if (stretch.to < end) changes.push_back({stretch.to, 1});
   }
   return changes;
 }
@@ -64,9 +64,9 @@ double PlaybackSpeed::at(double videoTime) const {
   return 1;
 }
 
-double PlaybackSpeed::timeAt(double videoTime) const {
+double PlaybackSpeed::timeAt(double videoTime, double end) const {
   if (stretches.empty()) return constant * videoTime;
-  const std::vector<Change> changes = changesOf(stretches);
+  const std::vector<Change> changes = changesOf(stretches, end);
   videoTime = startOfHold(changes, videoTime);
   double time = changes.front().speed * videoTime;
   for (std::size_t i = 1; i < changes.size(); ++i) {

@@ -1,6 +1,7 @@
 // The speed at which a clip shows its motion.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 namespace rotatebook::scene {
@@ -28,8 +29,8 @@ struct PlaybackSpeed {
   /// Returns the simulated time at a time of the video >= 0. [s] The speed passes from one value to
   /// the next by a smoothstep, 3u^2 - 2u^3, from kHalfPassage before the change to as long after
   /// it, or within half the time to the neighbouring change where that is shorter. As a passage is
-  /// symmetric, it changes no time outside it.
-  double timeAt(double videoTime) const;
+  /// symmetric, it changes no time outside it. A stretch until the video's `end` passes to nothing.
+  double timeAt(double videoTime, double end = std::numeric_limits<double>::infinity()) const;
 
   friend bool operator==(const PlaybackSpeed&, const PlaybackSpeed&) = default;
 };

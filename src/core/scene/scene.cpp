@@ -22,7 +22,7 @@ bool hasEvenTimes(const Scene& scene) {
 
 double timeAt(const Scene& scene, double frame) {
   if (hasEvenTimes(scene)) return frame * scene.simulation.timePerFrame;
-  return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period());
+  return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period(), scene.clip.duration);
 }
 
 double speedAt(const Scene& scene, double frame) {

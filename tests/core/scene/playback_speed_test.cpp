@@ -66,6 +66,7 @@ TEST(PlaybackSpeed, OfZeroHoldsTheTimeToTheLastBit) {
   for (double time = 3.25; time < 5.75; time += 0.01) EXPECT_EQ(speed.timeAt(time), held) << time;
   EXPECT_NEAR(speed.timeAt(6.5), 3.5, kRounding);
   EXPECT_EQ((PlaybackSpeed{.stretches = {{0, 2, 0}}}.timeAt(1.5)), 0);
+  EXPECT_EQ((PlaybackSpeed{.stretches = {{0, 2, 0}}}.timeAt(1.99, 2)), 0) << "until the end";
 }
 
 TEST(PlaybackSpeed, IsTheStatedOneAtEachTime) {

@@ -98,7 +98,7 @@ TEST(Textures, AreClothOfTheBooksColourWhereThereIsNoPicture) {
   EXPECT_EQ(textures.front.width(), 8);
   EXPECT_EQ(textures.spine, render::plainCloth({0x2b, 0x5d, 0x8a}));
   EXPECT_EQ(textures.back, textures.spine);
-  EXPECT_EQ(bookOf(smallScene()).back, render::builtinBack());
+  EXPECT_EQ(bookOf(scene::testing::smallScene()).back, render::builtinBack());
 }
 
 // Between panels and below a caption, too.

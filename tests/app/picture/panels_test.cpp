@@ -101,9 +101,9 @@ TEST(Panels, HaveATableEach) {
   const fs::path folder = pipeline::testing::emptyFolder();
   const pipeline::RenderResult result =
       pipeline::testing::render(pair(), pipeline::testing::pngAndMp4(folder));
-  EXPECT_THAT(
-      pipeline::testing::namesIn(folder),
-      ElementsAre("pair", "pair.mp4", "pair.poster.png", "pair_bursts.csv", "pair_goes-on.csv"));
+  EXPECT_THAT(pipeline::testing::namesIn(folder),
+              ElementsAre("pair", "pair.json", "pair.mp4", "pair.poster.png", "pair_bursts.csv",
+                          "pair_goes-on.csv"));
   EXPECT_THAT(result.csvs, ElementsAre(folder / "pair_goes-on.csv", folder / "pair_bursts.csv"));
   const timeline::ClipMotion motion = timeline::simulateScene(pair());
   EXPECT_EQ(bytesOf(result.csvs[0]), timeline::trajectoryCsv(motion.trajectories()[0]));

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using pipeline::testing::emptyFolder;
-using pipeline::testing::smallScene;
+using scene::testing::smallScene;  // with the covers, which weigh the most
 using video::VideoFormat;
 
 constexpr double kBlock = 4096;  // [bytes]

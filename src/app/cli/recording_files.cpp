@@ -203,7 +203,7 @@ RecordingFiles chosenOf(const std::string& path, std::vector<TableFile> tables,
   if (tables.empty()) {
     throw InputError(
         path +
-        ": no table is in it (.csv or .txt); export the recording as CSV, of phyphox's "
+        ": no table is in it (.csv, .tsv or .txt); export the recording as CSV, of phyphox's "
         "formats \"CSV (Comma, decimal point)\"");
   }
   RecordingFiles files;

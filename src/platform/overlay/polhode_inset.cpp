@@ -127,8 +127,8 @@ std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
   const double unit = samples[start].angularMomentum.norm();
   std::vector<Eigen::Vector3d> momenta;
   for (const physics::Sample& sample : samples) {
-    Eigen::Vector3d momentum = bodyFromPrincipal.transpose() *
-                               (sample.attitude.conjugate() * sample.angularMomentum);
+    Eigen::Vector3d momentum =
+        bodyFromPrincipal.transpose() * (sample.attitude.conjugate() * sample.angularMomentum);
     if (unit > 0) momentum /= unit;
     const double size = momentum.stableNorm();
     momenta.push_back(size > kFarthest ? momentum * (kFarthest / size) : momentum);

@@ -136,9 +136,10 @@ TEST_F(RecordingFiles, SayWhatIsWrongWithThem) {
       HasSubstr("none.zip: no table of a gyroscope's rates, or of attitudes, among \"a.csv\" "
                 "and \"b.txt\""));
   writeZip("workbook.zip", {{"Toss.xls", "\xD0\xCF\x11\xE0"}});
-  EXPECT_THAT(toss({"workbook.zip"}).error,
-              HasSubstr("workbook.zip: no table is in it (.csv or .txt); export the recording as "
-                        "CSV, of phyphox's formats \"CSV (Comma, decimal point)\""));
+  EXPECT_THAT(
+      toss({"workbook.zip"}).error,
+      HasSubstr("workbook.zip: no table is in it (.csv, .tsv or .txt); export the recording as "
+                "CSV, of phyphox's formats \"CSV (Comma, decimal point)\""));
   const std::string rates = phyphoxExport().at("Gyroscope.csv");
   writeZip("two.zip", {{"a.csv", rates}, {"b.csv", rates}});
   EXPECT_THAT(toss({"two.zip"}).error, HasSubstr("\"a.csv\" and \"b.csv\" all have rates"));

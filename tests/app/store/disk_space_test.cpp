@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using pipeline::testing::emptyFolder;
-using scene::testing::smallScene;  // with the covers, which weigh the most
 using video::VideoFormat;
 
 constexpr double kBlock = 4096;  // [bytes]
+
+/// The book with its covers, which weigh more than plain cloth.
+scene::Scene coveredScene(const std::vector<std::string>& overrides = {}) {
+  return scene::testing::smallScene(overrides);
+}
 
 /// Returns the space that the files below `folder` take, in whole blocks. [bytes]
 double takenIn(const fs::path& folder) {
@@ -46,8 +51,8 @@ TEST(DiskSpace, IsAboutWhatARenderTakes) {
   for (const auto& [size, duration] :
        {std::pair{"[16, 16]", "0.1"}, {"[96, 54]", "1"}, {"[320, 180]", "0.5"}}) {
     for (const bool png : {true, false}) {
-      const scene::Scene scene =
-          smallScene({std::string("clip.size=") + size, std::string("clip.duration=") + duration});
+      const scene::Scene scene = coveredScene(
+          {std::string("clip.size=") + size, std::string("clip.duration=") + duration});
       const double found =
           ratio(scene, {.folder = emptyFolder(),
                         .outputs = pipeline::outputsOf(png, {video::VideoFormat::Mp4})});
@@ -63,8 +68,8 @@ TEST(DiskSpace, CountsTheCaption) {
     std::string caption;
     while (caption.size() < letters) caption += "A book turns ";
     for (const char* size : {"[96, 54]", "[160, 90]", "[320, 180]"}) {
-      scene::Scene scene = smallScene({std::string("clip.size=") + size, "clip.duration=1",
-                                       "overlay.show=['caption', 'clock']"});
+      scene::Scene scene = coveredScene({std::string("clip.size=") + size, "clip.duration=1",
+                                         "overlay.show=['caption', 'clock']"});
       scene.caption = caption;
       const double found = ratio(scene, {.folder = emptyFolder(),
                                          .outputs = pipeline::outputsOf(true, {VideoFormat::Mp4})});
@@ -78,7 +83,7 @@ TEST(DiskSpace, CountsEveryFormat) {
   constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.0 to 1.5
   for (const VideoFormat format : video::kVideoFormats) {
     const double found =
-        ratio(smallScene({"clip.size=[320, 180]"}),
+        ratio(coveredScene({"clip.size=[320, 180]"}),
               {.folder = emptyFolder(), .outputs = pipeline::outputsOf(false, {format})});
     EXPECT_GT(found, kMin) << nameOf(format);
     EXPECT_LT(found, kMax) << nameOf(format);
@@ -102,7 +107,7 @@ TEST(DiskSpace, CountsEveryTable) {
 
 TEST(DiskSpace, CountsNoFramesThatAreKept) {
   constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.15
-  const scene::Scene scene = smallScene({"clip.size=[320, 180]"});
+  const scene::Scene scene = coveredScene({"clip.size=[320, 180]"});
   pipeline::RenderOptions options{.folder = emptyFolder(),
                                   .outputs = pipeline::outputsOf(true, {VideoFormat::Gif})};
   pipeline::testing::stoppedAfter(9, scene, options);
@@ -114,7 +119,7 @@ TEST(DiskSpace, CountsNoFramesThatAreKept) {
 }
 
 TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {
-  const scene::Scene scene = smallScene();
+  const scene::Scene scene = coveredScene();
   pipeline::RenderOptions options{.folder = emptyFolder(), .outputs = {pipeline::pngOutput()}};
   const auto neededBy = [&](FrameRange range) {
     double needed = 0;
@@ -136,7 +141,7 @@ TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {
 
 TEST(DiskSpace, GrowsWithFramesAndFormats) {
   const auto needed = [](const FilesToWrite& files) {
-    return diskSpace(smallScene(), files, "/").needed;
+    return diskSpace(coveredScene(), files, "/").needed;
   };
   const double none = needed({});
   EXPECT_GT(none, 0);
@@ -146,8 +151,8 @@ TEST(DiskSpace, GrowsWithFramesAndFormats) {
 }
 
 TEST(DiskSpace, ReportsWhatIsFree) {
-  EXPECT_EQ(diskSpace(smallScene(), {.pngs = 1}, "/proc").free, 0);
-  EXPECT_THROW(diskSpace(smallScene(), {.pngs = 1}, "/nonexistent"), MachineError);
+  EXPECT_EQ(diskSpace(coveredScene(), {.pngs = 1}, "/proc").free, 0);
+  EXPECT_THROW(diskSpace(coveredScene(), {.pngs = 1}, "/nonexistent"), MachineError);
 }
 
 TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {

@@ -7,8 +7,8 @@
 
 #include "image/image.h"
 #include "picture/frame_drawer.h"
-#include "scene/scene.h"
 #include "pipeline/verify/clip_check.h"
+#include "scene/scene.h"
 #include "video/planes.h"
 
 namespace rotatebook::pipeline {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
 #include "pipeline/verify/clip_check.h"
+#include "scene/scene.h"
 #include "video/clip_reader.h"
 #include "video/written_form.h"
 

@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "pipeline/render_clip.h"
-#include "timeline/motion_checksum.h"
-#include "timeline/simulate_scene.h"
 #include "pipeline/verify/picture_comparison.h"
 #include "pipeline/verify/stream_checks.h"
+#include "timeline/motion_checksum.h"
+#include "timeline/simulate_scene.h"
 #include "video/clip_form.h"
 #include "video/clip_reader.h"
 #include "video/whole_file.h"

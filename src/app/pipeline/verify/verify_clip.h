@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "pipeline/draw_frames.h"
+#include "pipeline/verify/clip_check.h"
 #include "render/device/device.h"
 #include "store/clip_record.h"
-#include "pipeline/verify/clip_check.h"
 
 namespace rotatebook::pipeline {
 

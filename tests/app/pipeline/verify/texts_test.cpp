@@ -9,8 +9,8 @@
 
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
-#include "store/encoding.h"
 #include "pipeline/verify/picture_comparison.h"
+#include "store/encoding.h"
 #include "video/clip_reader.h"
 #include "video/video_writer.h"
 

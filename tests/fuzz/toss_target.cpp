@@ -18,8 +18,8 @@ void requireSound(const recording::TossFit& fit) {
 
 /// Tosses of few readings, so that a fit doesn't take long.
 void fitShort(const recording::InertialRecording& recording) {
-  constexpr std::size_t kMost = 60;
-  if (recording.readings.size() > kMost) return;
+  constexpr std::size_t kMaxReadings = 60;
+  if (recording.readings.size() > kMaxReadings) return;
   for (const recording::Throw& one : recording::findThrows(recording, "a.csv", {})) {
     fuzzing::require(one.fit.has_value() != !one.refusal.empty());
     if (one.fit) requireSound(*one.fit);

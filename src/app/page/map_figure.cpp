@@ -18,17 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns what was expected and measured. Throws InputError unless the files are the scene's map.
-std::vector<Check> readChecks(const scene::Scene& scene, const store::MapFiles& files) {
-  const auto checks =
-      readResult<std::vector<Check>>(files.json, store::sceneChecksum(scene), boundChecksIn);
-  if (checks) return *checks;
-  throw InputError(files.json.string() +
-                   " isn't the result of the scene's map; make the map again (or give this "
-                   "command the same --set): " +
-                   remedy("map", scene, files.json.parent_path()));
-}
-
 /// Returns the film of the map if there is one. Throws InputError of another map's.
 Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
   if (!scene.map->film || !fs::exists(files.film)) return {};
@@ -51,7 +40,8 @@ Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const Figure
   const store::MapFiles files = store::mapFiles(folder, scene.name);
   for (const auto& file : files.plots) requireFile(file, scene, "map");
   for (const auto& file : {files.plain, files.npy, files.json}) requireFile(file, scene, "map");
-  const std::vector<Check> checks = readChecks(scene, files);
+  const std::vector<Check> checks =
+      readChecks(files.json, scene, store::sceneChecksum(scene), "map", "make the map again");
   const image::Image pixels = image::readPng(files.png());
   const std::string picture = files.png().filename().string();
   Figure figure{FigureKind::Map, scene.name, scene.title, files.plain.filename().string()};

@@ -3,16 +3,19 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/error.h"
+#include "page/figure.h"
+
 namespace rotatebook::page {
 namespace {
 
 using Limits = std::numeric_limits<double>;
 
-/// Returns the measure called `name`. Throws Json::exception if there is none.
+/// Returns the measure called `name`. Throws InputError if there is none.
 scene::Measure measureIn(const Json& name) {
-  const auto row =
-      std::ranges::find(scene::kMeasureRows, name.get<std::string>(), &scene::MeasureRow::name);
-  if (row == scene::kMeasureRows.end()) static_cast<void>(Json::object().at("measure"));
+  const auto text = name.get<std::string>();
+  const auto row = std::ranges::find(scene::kMeasureRows, text, &scene::MeasureRow::name);
+  if (row == scene::kMeasureRows.end()) throw InputError("no measure is called " + text);
   return row->measure;
 }
 
@@ -50,10 +53,18 @@ scene::ExpectationResult expectationIn(const Json& expected) {
           numberIn(expected, "ends_early_s")};
 }
 
-std::vector<Check> boundChecksIn(const Json& result) {
-  std::vector<Check> checks;
-  for (const Json& expected : result.at("expectations")) checks.push_back(boundCheckIn(expected));
-  return checks;
+std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Scene& scene,
+                              const std::string& sceneChecksum, const std::string& command,
+                              const std::string& again) {
+  const auto checks = readResult<std::vector<Check>>(file, sceneChecksum, [](const Json& result) {
+    std::vector<Check> all;
+    for (const Json& expected : result.at("expectations")) all.push_back(boundCheckIn(expected));
+    return all;
+  });
+  if (checks) return *checks;
+  throw InputError(
+      file.string() + " isn't the result of the scene's " + command + "; " + again +
+      " (or give this command the same --set): " + remedy(command, scene, file.parent_path()));
 }
 
 }  // namespace rotatebook::page

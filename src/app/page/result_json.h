@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "page/expectation_table.h"
 #include "scene/expectation.h"
+#include "scene/scene.h"
 #include "system/read_file.h"
 
 namespace rotatebook::page {
@@ -25,6 +27,7 @@ std::optional<Result> readResult(const std::filesystem::path& file,
   try {
     if (json.at("scene_xxh128") == sceneChecksum) return read(json);
   } catch (const Json::exception&) {  // It is no result
+  } catch (const InputError&) {       // Nor one of this version
   }
   return std::nullopt;
 }
@@ -33,10 +36,14 @@ std::optional<Result> readResult(const std::filesystem::path& file,
 std::optional<double> numberIn(const Json& object, const char* key);
 
 /// Returns the expectation on a motion that timeline::expectationJson() wrote. Throws
-/// Json::exception.
+/// Json::exception, and InputError for a measure that there isn't.
 scene::ExpectationResult expectationIn(const Json& expected);
 
-/// Returns the rows of "expectations" that scene::boundsJson() wrote. Throws Json::exception.
-std::vector<Check> boundChecksIn(const Json& result);
+/// Returns what was expected and measured of a study or a map of `scene`, by scene::boundsJson().
+/// Throws InputError unless `file` is the result of the scene with this checksum that
+/// `rotatebook COMMAND` left; `again` is the remedy: "run the study again".
+std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Scene& scene,
+                              const std::string& sceneChecksum, const std::string& command,
+                              const std::string& again);
 
 }  // namespace rotatebook::page

@@ -2,31 +2,17 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
 #include "embedded/page.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
 #include "page/result_json.h"
 #include "store/fingerprint.h"
 #include "store/study_files.h"
-#include "system/read_file.h"
 
 namespace rotatebook::page {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns what was expected and measured. Throws InputError unless the file is the result of the
-/// scene's study.
-std::vector<Check> readChecks(const fs::path& file, const scene::Scene& scene) {
-  const auto checks =
-      readResult<std::vector<Check>>(file, store::studySceneChecksum(scene), boundChecksIn);
-  if (checks) return *checks;
-  throw InputError(file.string() +
-                   " isn't the result of the scene's study; run the study again (or give this "
-                   "command the same --set): " +
-                   remedy("study", scene, file.parent_path()));
-}
 
 }  // namespace
 
@@ -34,7 +20,8 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
   for (const auto& file : {files.csv, files.json}) requireFile(file, scene, "study");
   for (const auto& file : files.plots) requireFile(file, scene, "study");
-  const std::vector<Check> checks = readChecks(files.json, scene);
+  const std::vector<Check> checks = readChecks(files.json, scene, store::studySceneChecksum(scene),
+                                               "study", "run the study again");
 
   Figure figure{FigureKind::Study, scene.name, scene.title};
   figure.badge = unmetBadge(checks);

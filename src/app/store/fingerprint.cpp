@@ -105,10 +105,6 @@ std::string studySceneChecksum(const scene::Scene& scene) {
   return checksumOf(studyRunsText(scene));
 }
 
-std::string mapSceneChecksum(const scene::Scene& scene) {
-  return checksumOf(mapRunsText(scene));
-}
-
 std::string recordOfFilm(const scene::Scene& scene) {
   return std::string(kHeadOfFilm) + sceneText(scene);
 }
@@ -122,7 +118,7 @@ std::string filmFingerprint(const scene::Scene& scene) {
 }
 
 std::string mapFingerprint(const scene::Scene& scene) {
-  return checksumWithProgram(mapSceneChecksum(scene));
+  return checksumWithProgram(checksumOf(mapRunsText(scene)));
 }
 
 std::string differences(const fs::path& folder, const Entries& there, const Entries& made,

@@ -27,10 +27,8 @@ std::string sceneChecksum(const scene::Scene& scene);
 /// Returns a checksum of what is run and expected by a scene's study: the scene without its texts,
 /// looks and expectations.
 std::string studySceneChecksum(const scene::Scene& scene);
-/// Returns a checksum of what the values of a scene's map depend on: the scene without its texts,
-/// looks and expectations.
-std::string mapSceneChecksum(const scene::Scene& scene);
-/// Returns a checksum of that, program and build: all that the values depend on.
+/// Returns a checksum of all that the values of a scene's map depend on: the scene without its
+/// texts, looks and expectations, program and build.
 std::string mapFingerprint(const scene::Scene& scene);
 /// Returns a checksum of all that the pictures of a map's film depend on.
 std::string filmFingerprint(const scene::Scene& scene);

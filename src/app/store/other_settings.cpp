@@ -55,7 +55,7 @@ bool isLeftBy(const Manifest& manifest, const fs::path& file) {
 
 /// Returns whether `output` is the table or the result of a part of `clip`, whose manifest lists a
 /// whole clip's files alone.
-bool isTableOfPart(const std::string& clip, const Manifest& manifest, const fs::path& output) {
+bool isOfPart(const std::string& clip, const Manifest& manifest, const fs::path& output) {
   const fs::path name = output.filename();
   return !manifest.finished && (name == clip + ".csv" || name == clip + ".json") &&
          fs::exists(output);
@@ -109,7 +109,7 @@ void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>
     if (!manifest) continue;
     for (const fs::path& output : outputs) {
       if (!isNamedAfter(other, output)) continue;
-      if (!isLeftBy(*manifest, output) && !isTableOfPart(other, *manifest, output)) continue;
+      if (!isLeftBy(*manifest, output) && !isOfPart(other, *manifest, output)) continue;
       // An equal table of both is no matter
       if (own && isLeftBy(*own, output)) continue;
       throw InputError(output.string() + " belongs to the clip " + other + ", and " + remedy);

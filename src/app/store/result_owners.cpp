@@ -86,12 +86,12 @@ bool isFilm(const fs::path& file) {
 
 /// Returns whether a file is the table of a clip's motion or grid, by its header.
 bool isTable(const fs::path& csv) {
-  return csv.extension() == ".csv" && timeline::isTableHeader(headerOf(csv));
+  return timeline::isTableHeader(headerOf(csv));
 }
 
 /// Returns whether a file is the result of a clip, by its beginning.
 bool isResult(const fs::path& json) {
-  return json.extension() == ".json" && headerOf(json).starts_with(timeline::kClipJsonHead);
+  return headerOf(json).starts_with(timeline::kClipJsonHead);
 }
 
 /// Returns whether files of this ending hold records.

@@ -110,20 +110,18 @@ constexpr std::array kOtherWords{
     OtherWord{"1/min", "rpm"},
 };
 
-bool same(char a, char b) {
-  return lowerCase({&a, 1}) == lowerCase({&b, 1});
-}
-
-// Returns the edit distance, counting swapped neighbours as one edit (optimal string alignment).
-std::size_t editDistance(std::string_view a, std::string_view b) {
+// Returns the edit distance in small letters, counting swapped neighbours as one edit (optimal
+// string alignment).
+std::size_t editDistance(std::string_view word, std::string_view other) {
+  const std::string a = lowerCase(word), b = lowerCase(other);
   std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) edits[i][0] = i;
   for (std::size_t j = 0; j <= b.size(); ++j) edits[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = edits[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+      const std::size_t changed = edits[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
       edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
-      const bool swapped = i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]);
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
     }
   }

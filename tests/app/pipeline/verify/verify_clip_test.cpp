@@ -24,13 +24,13 @@ namespace rotatebook::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
-using pipeline::testing::emptyFolder;
-using pipeline::testing::kFrames;
 using scene::testing::smallScene;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using testing::emptyFolder;
 using ::testing::Gt;
 using ::testing::IsEmpty;
+using testing::kFrames;
 using video::VideoFormat;
 
 /// smallScene() in pictures that show a degree.
@@ -118,9 +118,9 @@ void expectWrongPictures(const Verification& found) {
 
 TEST(VerifyClip, ProvesWhatARenderMade) {
   const fs::path folder = emptyFolder();
-  pipeline::testing::render(
-      shownScene(), {.folder = folder,
-                     .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
+  testing::render(
+      shownScene(),
+      {.folder = folder, .outputs = outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
   for (const char* name : {"small.mp4", "small.webm"}) {
     const Verification found = verifyClip(folder / name, {.allFrames = true});
     EXPECT_TRUE(proved(found)) << name;
@@ -141,9 +141,9 @@ double meanRms(const Verification& found) {
 TEST(VerifyClip, FindsAWebMAsGoodAsAnMp4) {
   constexpr double kAsGood = 0.25;  // measured 0.015; 0.54 at a constant quality of 34, not 24
   const fs::path folder = emptyFolder();
-  pipeline::testing::render(
-      shownScene(), {.folder = folder,
-                     .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
+  testing::render(
+      shownScene(),
+      {.folder = folder, .outputs = outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
   const double mp4 = meanRms(verifyClip(folder / "small.mp4", {.allFrames = true}));
   const double webm = meanRms(verifyClip(folder / "small.webm", {.allFrames = true}));
   EXPECT_NEAR(webm / mp4, 1, kAsGood);
@@ -155,8 +155,8 @@ TEST_P(VerifyClipOf, EverySceneIsProved) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = shownScene(GetParam());
   const auto format = scene::isTransparent(scene) ? VideoFormat::WebM : VideoFormat::Mp4;
-  const auto result = pipeline::testing::render(
-      scene, {.folder = folder, .outputs = pipeline::outputsOf(false, {format})});
+  const auto result =
+      testing::render(scene, {.folder = folder, .outputs = outputsOf(false, {format})});
   const Verification found = verifyClip(result.files.video(format), {.allFrames = true});
   EXPECT_TRUE(proved(found)) << ::testing::PrintToString(failedIn(found));
   EXPECT_THAT(found.pictures.size(), Gt(10U));
@@ -190,8 +190,7 @@ TEST(VerifyClip, ProvesASmallBookAmongStars) {
       {"clip.size=[640, 360]", "clip.fps=60", "clip.duration=0.3", "look.background=stars",
        "initial.angular_velocity=[0.1, 3, 0.1]", "camera.position=[0, 0, 6]",
        "overlay.show=['caption', 'clock', 'polhode', 'energy', 'half_turns']"});
-  pipeline::testing::render(
-      scene, {.folder = folder, .outputs = pipeline::outputsOf(false, {VideoFormat::WebM})});
+  testing::render(scene, {.folder = folder, .outputs = outputsOf(false, {VideoFormat::WebM})});
   EXPECT_TRUE(proved(verifyClip(folder / "small.webm", {.allFrames = true})));
 }
 
@@ -199,9 +198,8 @@ class VerifyCoarseClipOf : public ::testing::TestWithParam<std::vector<std::stri
 
 TEST_P(VerifyCoarseClipOf, EachIsConsistent) {
   const fs::path folder = emptyFolder();
-  const auto result = pipeline::testing::render(
-      shownScene(GetParam()),
-      {.folder = folder, .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4})});
+  const auto result = testing::render(
+      shownScene(GetParam()), {.folder = folder, .outputs = outputsOf(false, {VideoFormat::Mp4})});
   const Verification found = verifyClip(result.files.video(VideoFormat::Mp4), {.allFrames = true});
   EXPECT_EQ(found.verdict(), Verdict::Coarse);
 }
@@ -215,8 +213,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(VerifyClip, ProvesPartsAndWhatAssembleMakesOfThem) {
   const fs::path folder = emptyFolder();
-  pipeline::testing::render(smallScene(),
-                            pipeline::testing::pngAndMp4(folder, {}, store::FrameRange{3, 9}));
+  testing::render(smallScene(), testing::pngAndMp4(folder, {}, store::FrameRange{3, 9}));
   const fs::path part = folder / "small_00003-00009.mp4";
   const Verification found = verifyClip(part, {});
   EXPECT_TRUE(proved(found));
@@ -246,7 +243,7 @@ TEST(VerifyClip, ComparesOneOfEachSixthUnlessAsked) {
   write({.said = other, .shown = other}, path);
   EXPECT_NE(framesOf({}), chosen);
   EXPECT_THAT(framesOf({.frames = {7, 2, 7}}), ElementsAre(2, 7));
-  EXPECT_EQ(pipeline::testing::messageOf<InputError>([&] {
+  EXPECT_EQ(testing::messageOf<InputError>([&] {
               framesOf({.frames = {3, 12}});
             }),
             "frame 12 isn't in the clip, which has 0 to 11");
@@ -352,7 +349,7 @@ TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
   const std::string content = [] {
     const fs::path path = emptyFolder() / "true.mp4";
     write({.said = smallScene(), .shown = smallScene()}, path);
-    return pipeline::testing::bytesOf(path);
+    return testing::bytesOf(path);
   }();
   namespace forged = video::testing;
   const std::vector<std::pair<std::vector<forged::BoxPatch>, std::string>> forgeries{

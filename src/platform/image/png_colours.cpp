@@ -65,9 +65,22 @@ bool areSrgbPrimaries(PngBytes chunk) {
   return true;
 }
 
-/// Returns whether a cICP chunk says sRGB: its primaries are BT.709's, with its own curve.
-bool isSrgbCode(PngBytes chunk) {
-  return chunk.size() >= 2 && chunk[0] == 1 && chunk[1] == 13;
+/// Returns whether a profile of that name is sRGB, and not the one of its primaries whose values
+/// are linear: "GIMP built-in Linear sRGB", "sRGB-elle-V2-g10.icc".
+bool isSrgbName(const std::string& name) {
+  const auto has = [&](std::string_view part) { return name.find(part) != name.npos; };
+  return has("sRGB") && !has("inear") && !has("g10");
+}
+
+/// Returns what a cICP chunk says; empty if that is sRGB, from 0 to 255.
+std::string otherCode(PngBytes chunk) {
+  // BT.709's primaries, sRGB's curve, no matrix, and the full range
+  constexpr std::array<std::uint8_t, 4> kSrgb{1, 13, 0, 1};
+  if (chunk.size() != kSrgb.size() || std::ranges::equal(chunk, kSrgb)) return "";
+  std::string text = "colours of the code ";
+  for (const std::uint8_t number : chunk) text += std::to_string(number) + ", ";
+  text.resize(text.size() - 2);
+  return text + " (cICP)";
 }
 
 /// Returns what says that the colours aren't sRGB; the first chunk of these decides.
@@ -76,14 +89,10 @@ std::string otherColours(const std::map<std::string, PngBytes, std::less<>>& chu
     const auto found = chunks.find(name);
     return found == chunks.end() ? PngBytes() : found->second;
   };
-  if (const PngBytes code = find("cICP"); !code.empty()) {
-    if (isSrgbCode(code) || code.size() < 2) return "";
-    return "colours of the code " + std::to_string(code[0]) + ", " + std::to_string(code[1]) +
-           " (cICP)";
-  }
+  if (const PngBytes code = find("cICP"); !code.empty()) return otherCode(code);
   if (const PngBytes profile = find("iCCP"); !profile.empty()) {
     const std::string name = profileName(profile);
-    return name.find("sRGB") == name.npos ? "the colour profile " + name : "";
+    return isSrgbName(name) ? "" : "the colour profile " + name;
   }
   if (chunks.contains("sRGB")) return "";
   if (const PngBytes gamma = find("gAMA"); gamma.size() == 4 && !isSrgbGamma(gamma))

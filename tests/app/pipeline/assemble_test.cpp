@@ -305,8 +305,9 @@ TEST_F(Assemble, SaysWhichColoursAreLost) {
   for (const int index : {0, 2, 3}) makeWide(frames_ / store::frameName(index));
   ASSERT_EQ(lost().size(), 1U);
   EXPECT_EQ(lost()[0].frames, 3);
-  EXPECT_THAT(lost()[0].text,
-              HasSubstr("colours of the code 9, 16 (cICP), in place of which sRGB is assumed"));
+  EXPECT_THAT(
+      lost()[0].text,
+      HasSubstr("colours of the code 9, 16, 0, 1 (cICP), in place of which sRGB is assumed"));
 }
 
 TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {

@@ -66,7 +66,13 @@ TEST(LostColours, OfOtherKindsAreNamed) {
   EXPECT_THAT(lostWith(kLinear), says("a gamma of 1 (gAMA)"));
   EXPECT_THAT(lostWith(joined({kSrgbGamma, kP3Primaries})), says("other primaries (cHRM)"));
   EXPECT_THAT(lostWith(joined({chunk("cICP", {9, 16, 0, 1}), kSrgb})),
-              says("colours of the code 9, 16 (cICP)"));
+              says("colours of the code 9, 16, 0, 1 (cICP)"));
+  EXPECT_THAT(lostWith(chunk("cICP", {1, 13, 0, 0})),
+              says("colours of the code 1, 13, 0, 0 (cICP)"));
+  EXPECT_THAT(lostWith(profileOf("GIMP built-in Linear sRGB")),
+              says("the colour profile \"GIMP built-in Linear sRGB\""));
+  EXPECT_THAT(lostWith(profileOf("sRGB-elle-V2-g10.icc")),
+              says("the colour profile \"sRGB-elle-V2-g10.icc\""));
 }
 
 TEST(LostColours, OfSixteenBitsAreNamed) {

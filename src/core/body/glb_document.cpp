@@ -53,10 +53,10 @@ Chunks chunksOf(std::string_view bytes) {
 }
 
 /// Members of the document that are read; of the others there may be millions.
-constexpr std::array<std::string_view, 12> kRead{
-    "accessors", "bufferViews", "buffers", "extensionsRequired",
-    "images",    "materials",   "meshes",  "nodes",
-    "scene",     "scenes",      "skins",   "textures"};
+constexpr std::array<std::string_view, 13> kRead{
+    "accessors", "bufferViews", "buffers", "extensionsRequired", "images",
+    "materials", "meshes",      "nodes",   "samplers",           "scene",
+    "scenes",    "skins",       "textures"};
 
 /// Members of any object that aren't read, either.
 constexpr std::array<std::string_view, 4> kLeftOut{"extras", "max", "min", "name"};

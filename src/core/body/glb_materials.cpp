@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
@@ -38,6 +40,23 @@ std::optional<std::size_t> sourceOf(const GlbDocument& document, const Json& use
   return GlbDocument::count(extensionOf(texture, "EXT_texture_webp"), "source");
 }
 
+/// Returns what a sampler says of the axis `name`, in OpenGL's numbers.
+Wrap wrapOf(const Json& sampler, const char* name) {
+  constexpr std::size_t kClamp = 33071, kMirror = 33648;
+  const auto mode = GlbDocument::count(sampler, name);
+  return mode == kClamp ? Wrap::Clamp : mode == kMirror ? Wrap::Mirror : Wrap::Repeat;
+}
+
+/// Returns how a texture's picture is read.
+Sampling samplingOf(const GlbDocument& document, const Json& texture) {
+  constexpr std::size_t kNearest = 9728;
+  const auto index = GlbDocument::count(texture, "sampler");
+  if (!index) return {};
+  const Json& sampler = document.at("samplers", *index);
+  return {wrapOf(sampler, "wrapS"), wrapOf(sampler, "wrapT"),
+          GlbDocument::count(sampler, "magFilter") == kNearest};
+}
+
 /// Reads a pair of numbers, if there is one.
 void readPair(const Json& transform, const char* name, Eigen::Vector2d& pair) {
   const Json& list = GlbDocument::member(transform, name);
@@ -66,23 +85,22 @@ PictureUse useOf(const Json& texture) {
   return use;
 }
 
-/// Reads the pictures of materials, each once.
+/// Reads the pictures of materials, each once for each sampling.
 class Images {
  public:
-  Images(const GlbDocument& document, Surface& surface)
-      : document_(document),
-        images_(surface.images),
-        byView_(document.size("bufferViews"), kNoImage),
-        bySource_(document.size("images"), kNoImage) {}
+  Images(const GlbDocument& document, Surface& surface) : document_(document), surface_(surface) {}
 
   /// Returns the index of the picture of the texture that `use` names, or kNoImage.
   int indexOf(const Json& use) {
     const auto source = sourceOf(document_, use);
     if (!source) return kNoImage;
+    const Json& texture = document_.at("textures", GlbDocument::count(use, "index").value_or(0));
+    const Sampling sampling = samplingOf(document_, texture);
     const Json& image = document_.at("images", *source);
     if (const auto view = GlbDocument::count(image, "bufferView"))
-      return indexIn(byView_, *view, [&] { return std::string(document_.view(*view)); });
-    return indexIn(bySource_, *source, [&] {
+      return indexIn(byView_, {*view, sampling},
+                     [&] { return std::string(document_.view(*view)); });
+    return indexIn(bySource_, {*source, sampling}, [&] {
       auto bytes = dataOfUri(GlbDocument::member(image, "uri"));
       if (bytes) return *bytes;
       throw InputError("picture " + std::to_string(*source) +
@@ -91,18 +109,22 @@ class Images {
   }
 
  private:
+  using Indices = std::map<std::pair<std::size_t, Sampling>, int>;
+
   template <typename Read>
-  int indexIn(std::vector<int>& indices, std::size_t number, const Read& read) {
-    if (number < indices.size() && indices[number] != kNoImage) return indices[number];
-    images_.push_back(read());
-    bytes_ += images_.back().size();
+  int indexIn(Indices& indices, const Indices::key_type& key, const Read& read) {
+    const auto [place, isNew] = indices.emplace(key, static_cast<int>(surface_.images.size()));
+    if (!isNew) return place->second;
+    surface_.images.push_back(read());
+    surface_.samplings.push_back(key.second);
+    bytes_ += surface_.images.back().size();
     if (bytes_ > kMaxBytes) throw InputError("its pictures have more than 256 MiB");
-    return indices[number] = static_cast<int>(images_.size() - 1);
+    return place->second;
   }
 
   const GlbDocument& document_;
-  std::vector<std::string>& images_;
-  std::vector<int> byView_, bySource_;  // By bufferView and image of the document.
+  Surface& surface_;
+  Indices byView_, bySource_;  // By bufferView and image of the document.
   std::size_t bytes_ = 0;
 
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
@@ -173,6 +195,22 @@ std::string noteOnPictures(const GlbDocument& document, const Json& primitive) {
     // A picture that is wrong is no matter of the shape, and is refused where it is drawn.
   }
   return "";
+}
+
+std::vector<std::string> notesOnMaterial(const GlbDocument& document, const Json& primitive) {
+  constexpr const char* kSpecular = "KHR_materials_pbrSpecularGlossiness";
+  const auto index = GlbDocument::count(primitive, "material");
+  if (!index) return {};
+  const Json& material = document.at("materials", *index);
+  std::vector<std::string> notes;
+  const Json& alpha = GlbDocument::member(material, "alphaMode");
+  if (alpha == "BLEND" || alpha == "MASK") notes.emplace_back("its transparency isn't drawn");
+  const Json& light = GlbDocument::member(material, "emissiveFactor");
+  if (std::ranges::any_of(light, [](const Json& share) { return share.is_number() && share > 0; }))
+    notes.emplace_back("the light of its materials isn't drawn");
+  if (modelOf(document, *index).is_null() && !extensionOf(material, kSpecular).is_null())
+    notes.push_back("colours of " + std::string(kSpecular) + " aren't drawn");
+  return notes;
 }
 
 void readMaterials(const GlbDocument& document, Surface& surface) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -36,6 +37,10 @@ std::string texCoordName(const PictureUse& use);
 /// Returns a sentence on a picture of a primitive's material that isn't drawn as the file has it;
 /// empty if there is none.
 std::string noteOnPictures(const GlbDocument& document, const GlbDocument::Json& primitive);
+
+/// Returns sentences on what of a primitive's material isn't drawn, its pictures aside.
+std::vector<std::string> notesOnMaterial(const GlbDocument& document,
+                                         const GlbDocument::Json& primitive);
 
 /// Sets the materials of a surface to those of the document, by their numbers, and a neutral one
 /// after them; and its images to those that they use. Throws InputError for a picture that isn't in

@@ -158,6 +158,7 @@ class Collector {
     if (!GlbDocument::member(attributes, "COLOR_0").is_null())
       leftOut_.note("its vertex colours aren't drawn");
     leftOut_.note(noteOnPictures(document_, primitive));
+    for (const std::string& note : notesOnMaterial(document_, primitive)) leftOut_.note(note);
   }
 
   const GlbDocument& document_;

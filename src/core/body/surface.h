@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,6 +29,17 @@ struct Grain {
 /// Returns the number of grains along each edge of a box of that size [m]; 0 of no grain.
 Eigen::Vector3d grainsAcross(const Grain& grain, const Eigen::Vector3d& size);
 
+/// Continuation of a picture beyond its edges, along one axis.
+enum class Wrap { Repeat, Mirror, Clamp };
+
+/// Ways to read a picture beyond its edges and between its pixels.
+struct Sampling {
+  Wrap across = Wrap::Repeat;
+  Wrap down = Wrap::Repeat;
+  bool hasSquares = false;  ///< Enlarged, its pixels are squares, and aren't mixed.
+  auto operator<=>(const Sampling&) const = default;
+};
+
 /// A material of the metallic-roughness model of glTF 2.0.
 struct Material {
   Eigen::Vector3f baseColour{0.55F, 0.55F, 0.55F};  ///< Linear. [0 to 1]
@@ -45,7 +57,8 @@ struct Surface {
   std::vector<std::uint32_t> materialOf{};  ///< By triangle; empty if all have the first material.
   /// By triangle and corner, v down as in glTF; empty if no material has a picture.
   std::vector<std::array<Eigen::Vector2f, 3>> texCoords{};
-  std::vector<std::string> images{};  ///< The bytes of PNG or JPEG files.
+  std::vector<std::string> images{};  ///< The bytes of PNG, JPEG or WebP files.
+  std::vector<Sampling> samplings{};  ///< One for each of `images`.
 };
 
 /// Adds the triangles of another surface, with its materials. No surface has pictures.

@@ -94,6 +94,23 @@ TEST(GlbPictures, MayBeWebP) {
   EXPECT_THAT(surface.images, ElementsAre("RIFF"));
 }
 
+TEST(GlbPictures, AreReadAsTheirSamplersSay) {
+  const auto samplingsOf = [](const std::string& sampler) {
+    return lookOf(pictured(R"("baseColorTexture": {"index": 0},
+                              "metallicRoughnessTexture": {"index": 1})",
+                           R"(, "textures": [{"source": 0}, {"source": 0, "sampler": 0}],
+         "samplers": [{)" + sampler +
+                               R"(}], "images": [{"uri": "data:image/png;base64,UE5H"}])"));
+  };
+  const Surface mixed = samplingsOf(R"("wrapS": 33071, "wrapT": 33648, "magFilter": 9728)");
+  EXPECT_THAT(mixed.images, ElementsAre("PNG", "PNG"));
+  EXPECT_THAT(mixed.samplings, ElementsAre(Sampling{}, Sampling{Wrap::Clamp, Wrap::Mirror, true}));
+  EXPECT_EQ(mixed.materials[0].metalRoughnessImage, 1);
+  const Surface same = samplingsOf(R"("wrapS": 10497, "minFilter": 9728, "magFilter": 9729)");
+  EXPECT_THAT(same.images, ElementsAre("PNG"));
+  EXPECT_THAT(same.samplings, ElementsAre(Sampling{}));
+}
+
 TEST(GlbPictures, ThatArentDrawnAreNoted) {
   const BoxFile other = pictured(R"("baseColorTexture": {"index": 0},
                                     "metallicRoughnessTexture": {"index": 0, "texCoord": 1})");
@@ -116,6 +133,24 @@ TEST(GlbPictures, ThatArentDrawnAreNoted) {
   EXPECT_THAT(notesOf(pictured(R"("baseColorTexture": {"index": 0},
                                   "metallicRoughnessTexture": {"index": 0})")),
               IsEmpty());
+}
+
+TEST(GlbMaterials, ThatArentDrawnAsTheyAreAreNoted) {
+  const auto notesOfMaterial = [](const std::string& material) {
+    BoxFile file{.primitive = ", \"material\": 0"};
+    file.root = ", \"materials\": [{" + material + "}]";
+    return notesOf(file);
+  };
+  EXPECT_THAT(notesOfMaterial(R"("alphaMode": "OPAQUE", "emissiveFactor": [0, 0, 0])"), IsEmpty());
+  EXPECT_THAT(notesOfMaterial(R"("alphaMode": "BLEND")"),
+              ElementsAre("its transparency isn't drawn"));
+  EXPECT_THAT(notesOfMaterial(R"("emissiveFactor": [0, 0.5, 0])"),
+              ElementsAre("the light of its materials isn't drawn"));
+  const std::string specular =
+      R"("extensions": {"KHR_materials_pbrSpecularGlossiness": {"diffuseFactor": [1, 0, 0, 1]}})";
+  EXPECT_THAT(notesOfMaterial(specular),
+              ElementsAre("colours of KHR_materials_pbrSpecularGlossiness aren't drawn"));
+  EXPECT_THAT(notesOfMaterial(specular + R"(, "pbrMetallicRoughness": {})"), IsEmpty());
 }
 
 }  // namespace

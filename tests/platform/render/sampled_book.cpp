@@ -63,10 +63,10 @@ struct SampledBook::Parts {
               {paperFragmentShader(), toneCurveFragmentShader()}),
         oneSample("sample", wholePictureVertexShader(), {kOneSample}),
         geometry(geometry::makeBookMesh()),
-        front(textures.front.view(), TextureWrap::Clamp),
-        spine(textures.spine.view(), TextureWrap::Clamp),
-        back(textures.back.view(), TextureWrap::Clamp),
-        leaves(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
+        front(textures.front.view(), kClamped),
+        spine(textures.spine.view(), kClamped),
+        back(textures.back.view(), kClamped),
+        leaves(image::decodePng(paperPng(), "built-in paper").view(), kRepeated) {}
 
   void draw(const physics::Cage& corners) const {
     const geometry::Projection projection = geometry::project(

@@ -1,4 +1,5 @@
 // Bodies of any shape, drawn.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -62,25 +63,69 @@ TEST(Surface, HasTheColourOfItsMaterial) {
   EXPECT_EQ(middle[3], 255);
 }
 
-TEST(Surface, ShowsItsPictureWhereItsTextureCoordinatesSay) {
+/// Returns a box with a picture, green above and blue below, `times` as often as it is high.
+std::shared_ptr<SurfaceLook> picturedBox(float times, const body::Sampling& sampling) {
   auto look = boxLook({.baseColour = {1, 1, 1}, .baseColourImage = 0});
   for (const auto& triangle : look->surface.mesh.triangles) {
     auto& corners = look->surface.texCoords.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       const Eigen::Vector3d& point = look->surface.mesh.points[triangle[i]];
       corners[i] = {static_cast<float>(point.x() / 0.2 + 0.5),
-                    static_cast<float>(0.5 - point.y() / 0.3)};  // Down, as in glTF.
+                    times * static_cast<float>(0.5 - point.y() / 0.3)};  // Down, as in glTF.
     }
   }
-  // Its upper half is green, its lower one blue
+  look->surface.samplings = {sampling};
   image::Image& picture = look->images.emplace_back(8, 8, image::PixelFormat::Rgb8);
   for (int y = 0; y < 8; ++y) {
     for (int x = 0; x < 8; ++x) picture.row(y)[3 * x + (y < 4 ? 1 : 2)] = 200;
   }
-  const image::Image made = drawn(transparent(64, 36), BodyLook(look), kBox.corners());
-  const std::uint8_t *above = made.row(12) + 4 * 32, *below = made.row(24) + 4 * 32;
-  EXPECT_GT(above[1], 2 * above[2]);
-  EXPECT_GT(below[2], 2 * below[1]);
+  return look;
+}
+
+/// Returns whether the box is green rather than blue, `share` of its height below its top.
+bool isGreenAt(const image::Image& picture, double share) {
+  constexpr double kTop = 6, kHeight = 24;  // As in CoversWhatItsOutlineHolds: 23.0 pixels high.
+  const std::uint8_t* pixel = picture.row(static_cast<int>(kTop + share * kHeight)) + 4 * 32;
+  EXPECT_GT(std::max(pixel[1], pixel[2]), 2 * std::min(pixel[1], pixel[2]));
+  return pixel[1] > pixel[2];
+}
+
+TEST(Surface, ShowsItsPictureWhereItsTextureCoordinatesSay) {
+  const image::Image made =
+      drawn(transparent(64, 36), BodyLook(picturedBox(1, {})), kBox.corners());
+  EXPECT_TRUE(isGreenAt(made, 0.25));
+  EXPECT_FALSE(isGreenAt(made, 0.75));
+}
+
+// Half a picture in each quarter of the box: green, blue, and what is beyond the picture's edge.
+TEST(Surface, GoesOnBeyondItsPictureAsTheSamplingSays) {
+  const auto beyond = [](body::Wrap wrap) {
+    const image::Image made =
+        drawn(transparent(64, 36), BodyLook(picturedBox(2, {.down = wrap})), kBox.corners());
+    EXPECT_TRUE(isGreenAt(made, 0.12));
+    EXPECT_FALSE(isGreenAt(made, 0.38));
+    return std::array{isGreenAt(made, 0.62), isGreenAt(made, 0.88)};
+  };
+  EXPECT_EQ(beyond(body::Wrap::Repeat), (std::array{true, false}));
+  EXPECT_EQ(beyond(body::Wrap::Mirror), (std::array{false, true}));
+  EXPECT_EQ(beyond(body::Wrap::Clamp), (std::array{false, false}));
+}
+
+// Of 8x8 pixels, the two in the middle mix over an eighth of the box's height.
+TEST(Surface, MixesNoPixelsOfAPictureWithSquares) {
+  const auto mixedRows = [](bool hasSquares) {
+    const image::Image made =
+        drawn(transparent(640, 360), BodyLook(picturedBox(1, {.hasSquares = hasSquares})),
+              kBox.corners());
+    int rows = 0;
+    for (int y = 90; y < 270; ++y) {
+      const std::uint8_t* pixel = made.row(y) + 4 * 320;
+      rows += std::min(pixel[1], pixel[2]) > 60 ? 1 : 0;
+    }
+    return rows;
+  };
+  EXPECT_GT(mixedRows(false), 10);
+  EXPECT_LE(mixedRows(true), 1);
 }
 
 TEST(Surface, OfMetalMirrorsWhereARoughOneScatters) {

@@ -21,17 +21,17 @@ BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail deta
       paperProgram_("paper", {studioLights(), bodyVertexShader()},
                     {paperFragmentShader(), toneCurveFragmentShader()}),
       geometry_(mesh_),
-      front_(textures.front.view(), TextureWrap::Clamp),
-      spine_(textures.spine.view(), TextureWrap::Clamp),
-      back_(textures.back.view(), TextureWrap::Clamp),
-      paper_(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
+      front_(textures.front.view(), kClamped),
+      spine_(textures.spine.view(), kClamped),
+      back_(textures.back.view(), kClamped),
+      paper_(image::decodePng(paperPng(), "built-in paper").view(), kRepeated) {}
 
 void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
   drawParts(drawn, eye, {front_, spine_, back_, paper_});
 }
 
 void BookPainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  const Texture pattern(testPattern().view(), TextureWrap::Repeat);
+  const Texture pattern(testPattern().view(), kRepeated);
   drawParts(drawn, eye, {pattern, pattern, pattern, pattern});
 }
 

@@ -33,8 +33,8 @@ std::vector<std::unique_ptr<Texture>> texturesOf(const SurfaceLook& look, int bo
     if (material.*use == body::kNoImage) continue;
     const auto index = static_cast<std::size_t>(material.*use);
     if (textures[index] != nullptr) continue;
-    textures[index] =
-        std::make_unique<Texture>(look.images[index].view(), TextureWrap::Repeat, content);
+    textures[index] = std::make_unique<Texture>(look.images[index].view(),
+                                                look.surface.samplings[index], content);
   }
   return textures;
 }
@@ -50,7 +50,7 @@ SurfacePainter::SurfacePainter(const SurfaceLook& look)
           {{studioLights(), studioShine(), surfaceFragmentShader()}, toneCurveFragmentShader()}),
       geometry_(mesh_),
       testGeometry_(testMesh()),
-      white_(plainCloth({255, 255, 255}).view(), TextureWrap::Repeat),
+      white_(plainCloth({255, 255, 255}).view(), kRepeated),
       colours_(texturesOf(look, &body::Material::baseColourImage, TextureContent::Colour)),
       numbers_(texturesOf(look, &body::Material::metalRoughnessImage, TextureContent::Numbers)) {}
 
@@ -65,7 +65,7 @@ void SurfacePainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) co
 }
 
 void SurfacePainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  const Texture pattern(testPattern().view(), TextureWrap::Repeat);
+  const Texture pattern(testPattern().view(), kRepeated);
   begin(drawn, eye);
   testGeometry_.bind();
   useMaterial(

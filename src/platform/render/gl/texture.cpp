@@ -40,18 +40,30 @@ void upload(int level, const image::Image& picture, TextureContent content) {
                GL_UNSIGNED_BYTE, picture.row(0));
 }
 
-void setFilters(TextureWrap wrap) {
-  const GLint mode = wrap == TextureWrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+GLint modeOf(body::Wrap wrap) {
+  switch (wrap) {
+    case body::Wrap::Mirror:
+      return GL_MIRRORED_REPEAT;
+    case body::Wrap::Clamp:
+      return GL_CLAMP_TO_EDGE;
+    case body::Wrap::Repeat:
+      break;
+  }
+  return GL_REPEAT;
+}
+
+void setFilters(const body::Sampling& sampling) {
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, modeOf(sampling.across));
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, modeOf(sampling.down));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER,
+                  sampling.hasSquares ? GL_NEAREST : GL_LINEAR);
   glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, kSharpness);
 }
 
 }  // namespace
 
-Texture::Texture(image::ImageView picture, TextureWrap wrap, TextureContent content)
+Texture::Texture(image::ImageView picture, const body::Sampling& sampling, TextureContent content)
     : plain_(picture.width == 1 && picture.height == 1) {
   refuseOversize(picture);
   bind();
@@ -64,7 +76,7 @@ Texture::Texture(image::ImageView picture, TextureWrap wrap, TextureContent cont
     level = image::downsampledOpaque(level.view());
     upload(i, level, content);
   }
-  setFilters(wrap);
+  setFilters(sampling);
 }
 
 }  // namespace rotatebook::render

@@ -1,13 +1,14 @@
 // Uploads pictures as OpenGL textures. Inside the room only.
 #pragma once
 
+#include "body/surface.h"
 #include "image/image.h"
 #include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 
-/// Continuation of a texture beyond its edges.
-enum class TextureWrap { Clamp, Repeat };
+inline constexpr body::Sampling kRepeated{};
+inline constexpr body::Sampling kClamped{body::Wrap::Clamp, body::Wrap::Clamp};
 
 /// The meaning of a texture's values.
 enum class TextureContent {
@@ -15,11 +16,11 @@ enum class TextureContent {
   Numbers,  ///< Shares of 255.
 };
 
-/// A mipmapped, trilinearly filtered texture; its first row is at v = 1.
+/// A mipmapped texture, trilinearly filtered unless it has squares; its first row is at v = 1.
 class Texture {
  public:
   /// Throws InputError if the picture is larger than the driver's limit.
-  Texture(image::ImageView picture, TextureWrap wrap,
+  Texture(image::ImageView picture, const body::Sampling& sampling,
           TextureContent content = TextureContent::Colour);
 
   /// Returns whether it has the same colour throughout.

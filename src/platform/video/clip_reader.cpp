@@ -67,7 +67,8 @@ std::string messagesOf(const AVFrame& frame) {
 
 PictureFacts factsOf(const AVFrame& frame) {
   const auto pixels = [](std::size_t count) { return static_cast<std::int64_t>(count); };
-  return {.interlaced = isInterlaced(frame),
+  return {.isKey = frame.pict_type == AV_PICTURE_TYPE_I,
+          .interlaced = isInterlaced(frame),
           .alpha = frame.format == AV_PIX_FMT_YUVA420P,
           .colours = coloursOf(frame.color_primaries, frame.color_trc, frame.colorspace,
                                frame.color_range),

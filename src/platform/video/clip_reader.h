@@ -71,6 +71,7 @@ struct ClipFacts {
 
 /// Properties of a decoded picture.
 struct PictureFacts {
+  bool isKey = false;  ///< It needs no other picture.
   bool interlaced = false;
   bool alpha = false;        ///< True if the stream holds alpha, or the container states some.
   ColourTags colours{};      ///< As valid for this picture.
@@ -81,8 +82,8 @@ struct PictureFacts {
   /// if there are none.
   std::string messages{};
   /// The quantiser whose step is the root mean square of those of the luma's blocks, in H.264's
-  /// scale, 0 to 51, where 6 more double the step. Of the colours only, where there is
-  /// alpha. None if the decoder doesn't report it.
+  /// scale, 0 to 51, where 6 more double the step. Blocks that are copied count as the picture's
+  /// own. Of the colours only, where there is alpha. None if the decoder doesn't report it.
   std::optional<double> quantiser{};
 };
 

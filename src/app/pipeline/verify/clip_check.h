@@ -24,7 +24,7 @@ struct ClipCheck {
 /// A picture of a clip, compared with the frame drawn for it.
 struct PictureCheck {
   std::int64_t frame = 0;  ///< Its index in the whole clip.
-  double quantiser = 0;    ///< With which it is coded: video::PictureFacts::quantiser.
+  double quantiser = 0;    ///< With which it is coded, or what is copied in it.
   Deviation measured{};
   Deviation bound{};  ///< The largest that encoding explains.
   /// Another frame to which the picture is clearly closer than to `frame`.

@@ -58,6 +58,23 @@ ClipCheck checkMotion(const store::Provenance& there, const std::string& motion)
           motion == there.motion};
 }
 
+/// Follows the quantisers with which pictures are coded. Decoders report for a block that is copied
+/// the quantiser that its picture states, whatever the block was coded with. Encoders state the
+/// finest in key frames: a picture finer than its key frame is copied for the most part, and may be
+/// as coarse as the coarsest since.
+class Quantisers {
+ public:
+  std::optional<double> next(const video::PictureFacts& picture) {
+    const double reported = picture.quantiser.value_or(0);
+    if (picture.isKey) key_ = coarsest_ = reported;
+    coarsest_ = std::max(coarsest_, reported);
+    return picture.quantiser && reported < key_ ? coarsest_ : picture.quantiser;
+  }
+
+ private:
+  double key_ = 0, coarsest_ = 0;
+};
+
 bool isCoarse(const Verification& found) {
   return found.quantiser.value_or(0) > kCoarsestProof;
 }
@@ -103,6 +120,7 @@ class Verifier {
                                                 drawer.description()));
     PictureComparison comparison(record_.scene, drawer, found.wholeCount);
     DisplayCheck display(scene::isTransparent(record_.scene));
+    Quantisers coded;
     double quantisers = 0;  // The sum of those reported
     std::int64_t reported = 0;
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
@@ -113,9 +131,8 @@ class Verifier {
       display.add(facts);
       quantisers += facts.quantiser.value_or(0);
       reported += facts.quantiser ? 1 : 0;
-      if (wanted) {
-        found.pictures.push_back(comparison.compare(frame, reader_.picture(), facts.quantiser));
-      }
+      const std::optional<double> quantiser = coded.next(facts);
+      if (wanted) found.pictures.push_back(comparison.compare(frame, reader_.picture(), quantiser));
       if (options_.progress)
         options_.progress({frame + 1 - found.range.first, found.range.count()});
     }

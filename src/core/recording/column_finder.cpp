@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "recording/column_name.h"
 #include "recording/column_units.h"
+#include "recording/unit_tables.h"
 #include "recording/words.h"
 
 namespace rotatebook::recording {
@@ -42,6 +43,12 @@ std::size_t deviceLength(const std::vector<std::string>& header) {
   return count < kFewest ? 0 : common.rfind('_') + 1;
 }
 
+/// Returns whether a column that may be of times is rather of temperatures: another unit's, or "T".
+bool isTemperature(std::string_view header) {
+  const std::string unit = columnNameOf(header).unit;
+  return header == "T" || (!unit.empty() && !unitNamed(kUnitsOfTimes, unit));
+}
+
 }  // namespace
 
 ColumnFinder::ColumnFinder(const CsvTable& table, const ColumnNames& named)
@@ -61,9 +68,12 @@ std::optional<std::size_t> ColumnFinder::time() const {
       if (isTimeNamed(plain_[i], name) && std::ranges::count(found, i) == 0) found.push_back(i);
     }
   }
+  const auto dropUnlessAll = [&](const auto& isOther) {
+    if (!std::ranges::all_of(found, isOther)) std::erase_if(found, isOther);
+  };
   // Clock times as text aren't read, but may stand beside others.
-  const auto isText = [&](std::size_t column) { return table_.isText(0, column); };
-  if (!std::ranges::all_of(found, isText)) std::erase_if(found, isText);
+  dropUnlessAll([&](std::size_t column) { return table_.isText(0, column); });
+  dropUnlessAll([&](std::size_t column) { return isTemperature(table_.header()[column]); });
   if (found.empty()) return std::nullopt;
   for (std::size_t i = 1; i < found.size(); ++i) {
     const std::string &first = plain_[found.front()], &other = plain_[found[i]];
@@ -220,7 +230,9 @@ ColumnFinder::Columns ColumnFinder::spelling(std::string_view beginning, std::st
     if (!stated[k]) columns[k] = onlyOne(isIt);
     if (stated[k] && isIt(*stated[k])) columns[k] = stated[k];
   }
-  return columns;
+  // "Rot[0]" to "Rot[8]" are no quaternion.
+  const bool goesOn = ends == "0 1 2 3" && hasPlain(std::string(beginning) + "4");
+  return goesOn ? Columns(columns.size()) : columns;
 }
 
 ColumnFinder::Columns ColumnFinder::named(const Spellings& group) const {

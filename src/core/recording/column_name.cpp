@@ -65,8 +65,11 @@ Bracketed bracketedOf(std::string_view header) {
     std::string inside = lowerCase(header.substr(0, end));
     header.remove_prefix(std::min(end + 1, header.size()));
     std::erase(inside, ' ');
+    const bool isAxis = inside == "x" || inside == "y" || inside == "z";
     if (isNumber(inside)) {
       result.numbers += inside;
+    } else if (isAxis) {
+      result.outside += ' ' + inside;
     } else if (result.unit.empty()) {
       result.unit = inside;
     }
@@ -115,6 +118,10 @@ void dropContainers(std::vector<std::string>& words) {
   if (isShimmers) words.erase(words.begin(), words.begin() + 2);  // and the sensor's number
   while (words.size() > 1 && isAmong(kContainers, words.front())) words.erase(words.begin());
   if (words.size() > 1 && words.back() == kCalibrated) words.pop_back();
+  // PASCO's "Time (s) Run #1"
+  const bool isOfRun = words.size() > 2 && words[words.size() - 2] == "run";
+  if (isOfRun && isNumber(words.back().substr(words.back().starts_with('#') ? 1 : 0)))
+    words.resize(words.size() - 2);
 }
 
 /// Returns whether a part of a ROS message's path is called so.

@@ -118,8 +118,8 @@ void findTimeUnit(const CsvTable& table, Columns& columns, std::string_view stat
   if (!unit && !name.unit.empty()) {
     table.fail(
         "the column " + quotedText(header) +
-        " has times in a unit that isn't read; there are s, ms, us, ns and min: state one in "
-        "simulation.time_unit, or with --time-unit");
+        " has times in a unit that isn't read; there are s, ms, us, ns and min: write them in one, "
+        "or, if they are, state it in simulation.time_unit, or with --time-unit");
   }
   if (!unit) unit = timeUnitIn(name);
   if (!unit && program != nullptr) unit = program->seconds;
@@ -165,6 +165,11 @@ double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string
   // Tables of programs, this one's among them, have SI units.
   const bool areAlone = !columns.quaternion && !columns.matrix;
   if (isSilent && !areAlone && !isGyroscopes(header)) return 1;
+  if (!isSilent) {
+    table.fail("the column " + quotedText(header) +
+               " has rates in a unit that isn't read; write them in rad/s or deg/s, or, if they "
+               "are, state it in simulation.rates, or with --rates");
+  }
   table.fail("the column " + quotedText(header) +
              " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
              "with --rates");

@@ -38,7 +38,8 @@ void assignBareAxes(const CsvTable& table, const ColumnFinder& finder, Columns& 
   const std::string &header = table.header()[axes->front()], file = fileNameOf(table.name());
   const auto says = [&](std::string_view part) { return file.find(part) != file.npos; };
   const bool hasUnit = !columnNameOf(header).unit.empty();
-  if (!columns.rates && (hasUnit ? rateUnitIn(header).has_value() : says("gyro")))
+  if (!columns.rates &&
+      (hasUnit ? rateUnitIn(header).has_value() : says("gyro") || says("angularvel")))
     columns.rates = axes;
   // Sensor Logger's Accelerometer.csv is without gravity, its TotalAcceleration.csv with it.
   const std::string time = columnNameOf(table.header()[columns.time]).plain;

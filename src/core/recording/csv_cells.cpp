@@ -8,6 +8,7 @@
 
 #include "base/parsed_number.h"
 #include "base/text.h"
+#include "recording/words.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -18,6 +19,21 @@ std::string_view unquoted(std::string_view cell) {
   cell = trimmed(cell);
   const bool isQuoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
   return isQuoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+/// Returns a number as from_chars reads it: with a point, the usual minus, and an "e" in the place
+/// of Fortran's "d".
+std::string plainNumber(std::string_view cell, char separator) {
+  constexpr std::string_view kMinus = "\xE2\x88\x92";
+  std::string text(cell.substr(cell.starts_with('+') ? 1 : 0, kLongestNumber));
+  if (text.starts_with(kMinus)) text.replace(0, kMinus.size(), "-");
+  if (separator != ',') {
+    if (const std::size_t comma = text.find(','); comma != text.npos) text[comma] = '.';
+  }
+  const std::size_t power = text.find_first_of("dD");
+  const bool isFortran = power != text.npos && power > 0 && text[power - 1] <= '9';
+  if (isFortran) text[power] = 'e';
+  return text;
 }
 
 bool separates(char letter, char separator) {
@@ -49,7 +65,7 @@ std::string_view takeLine(std::string_view& rest) {
 }
 
 char separatorOf(std::string_view line) {
-  for (const char separator : {'\t', ';', ','}) {
+  for (const char separator : {'\t', ';', ',', '|'}) {
     if (line.find(separator) != line.npos) return separator;
   }
   return ' ';
@@ -64,16 +80,14 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
 }
 
 std::optional<double> numberIn(std::string_view cell, char separator) {
-  std::string text(cell.substr(cell.starts_with('+') ? 1 : 0, kLongestNumber));
-  if (separator != ',') {
-    if (const std::size_t comma = text.find(','); comma != text.npos) text[comma] = '.';
-  }
-  const auto value = parsedNumber<double>(text);
+  const auto value = parsedNumber<double>(plainNumber(cell, separator));
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::optional<Decimal> decimalIn(std::string_view cell, char separator) {
   if (!numberIn(cell, separator)) return std::nullopt;
+  const std::string plain = plainNumber(cell, separator);
+  cell = plain;
   const std::size_t end = std::min(cell.find_first_of("eE"), cell.size());
   std::string digits = "0";
   std::size_t fraction = 0;  // digits behind the point
@@ -103,10 +117,12 @@ std::optional<Decimal> decimalIn(std::string_view cell, char separator) {
 
 CellKind kindOf(std::string_view cell, char separator) {
   if (numberIn(cell, separator)) return CellKind::Number;
-  for (const std::string_view hole : {"", "NaN", "nan", "NAN", "-nan", "null", "NULL", "NA"}) {
-    if (cell == hole) return CellKind::Hole;
-  }
-  return CellKind::Text;
+  // As programs write what isn't there: C's and Windows's, Excel's, R's and Python's.
+  constexpr std::string_view kHoles =
+      "nan -nan nan(ind) -nan(ind) nan(snan) 1.#qnan -1.#qnan 1.#ind -1.#ind #n/a #num! #div/0! "
+      "#value! null na n/a <na> none - --";
+  const bool isHole = cell.empty() || isAmong(kHoles, lowerCase(cell));
+  return isHole ? CellKind::Hole : CellKind::Text;
 }
 
 }  // namespace rotatebook::recording

@@ -20,8 +20,8 @@ enum class CellKind {
 /// Takes the first line off `rest`, without its end.
 std::string_view takeLine(std::string_view& rest);
 
-/// Returns what separates the cells of a line: the first of tab, semicolon, comma and blank that it
-/// has.
+/// Returns what separates the cells of a line: the first of tab, semicolon, comma, bar and blank
+/// that it has.
 char separatorOf(std::string_view line);
 
 /// Cells of a line that are taken; more are too many for any table.
@@ -32,7 +32,7 @@ inline constexpr std::size_t kMaxCells = 1024;
 std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 
 /// Returns the finite number that a cell has; nothing if it has none. Where commas don't separate,
-/// they may be decimal.
+/// they may be decimal; a minus may be U+2212, and an exponent begin with Fortran's D.
 std::optional<double> numberIn(std::string_view cell, char separator);
 
 /// Returns the number that a cell has, all digits of its whole part; nothing if it has none, or one

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/text.h"
 #include "recording/csv_cells.h"
@@ -13,7 +15,7 @@ namespace {
 
 /// A line above the first row.
 struct HeadLine {
-  std::string_view text;  // without the '#' that it may begin with
+  std::string_view text;  // without the mark that a comment begins with
   bool isComment = false;
   std::string_view rest;  // what follows the line
   std::size_t number = 0;
@@ -39,8 +41,9 @@ std::optional<char> statedSeparator(std::string_view line) {
   return line.empty() ? '\t' : line.front();
 }
 
-/// Returns whether a line is a row of a table: it has more numbers than words.
+/// Returns whether a line is a row of a table: it has cells, and more numbers than words.
 bool isRow(const std::vector<std::string_view>& cells, char separator) {
+  if (cells.size() < 2) return false;
   int balance = 0;
   for (const std::string_view cell : cells) {
     const CellKind kind = kindOf(cell, separator);
@@ -75,6 +78,28 @@ void takeHeader(CsvLayout& layout, const HeadLine& line, std::size_t cellsOfRow)
   for (const std::string_view cell : cells) layout.header.push_back(utf8FromLatin1(cell));
   layout.rows = line.rest;
   layout.line = line.number + 1;
+}
+
+template <typename Cell>
+std::size_t distinctCount(const std::vector<Cell>& cells) {
+  return std::set<std::string_view>(cells.begin(), cells.end()).size();
+}
+
+/// Puts the cells of the line above before the names, as OptiTrack's "Rotation" and "Position" are
+/// above "X", if more names differ then.
+void tellApart(CsvLayout& layout, const std::vector<HeadLine>& head, const HeadLine& header) {
+  const HeadLine* above = nullptr;
+  for (const HeadLine& line : head) {
+    if (!line.isComment && line.number < header.number) above = &line;
+  }
+  if (above == nullptr) return;
+  const auto groups = cellsOf(above->text, layout.separator);
+  if (groups.size() != layout.header.size()) return;
+  std::vector<std::string> names = layout.header;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (!groups[i].empty()) names[i] = utf8FromLatin1(groups[i]) + ' ' + names[i];
+  }
+  if (distinctCount(names) > distinctCount(layout.header)) layout.header = std::move(names);
 }
 
 /// Returns the unit in a cell, in small letters, without brackets and Shimmer's sign of a usual
@@ -115,27 +140,47 @@ void takeUnits(CsvLayout& layout, const std::vector<HeadLine>& head, const HeadL
   }
 }
 
-/// Returns the line that names the cells of `row`; null if none does.
+/// Returns the line that names the cells of `row`, of several that with most different names, the
+/// first, or else the last comment; null if none does.
 const HeadLine* headerAmong(const std::vector<HeadLine>& head,
                             const std::vector<std::string_view>& row, char separator) {
-  const auto isNaming = [&](const HeadLine& line) { return names(line, row, separator); };
-  const auto plain = std::ranges::find_if(
-      head, [&](const HeadLine& line) { return !line.isComment && isNaming(line); });
-  if (plain != head.end()) return &*plain;
-  const auto last = std::find_if(head.rbegin(), head.rend(), isNaming);
-  return last != head.rend() ? &*last : nullptr;
+  const HeadLine *plain = nullptr, *comment = nullptr;
+  std::size_t most = 0;
+  for (const HeadLine& line : head) {
+    if (!names(line, row, separator)) continue;
+    if (line.isComment) {
+      comment = &line;
+      continue;
+    }
+    const std::size_t count = distinctCount(cellsOf(line.text, separator));
+    if (count > most) plain = &line;
+    most = std::max(most, count);
+  }
+  return plain != nullptr ? plain : comment;
+}
+
+/// Returns the length of the mark that a comment begins with; 0 of other lines. ROS's "%time" is a
+/// name.
+std::size_t commentMark(std::string_view line) {
+  if (line.starts_with("//")) return 2;
+  return line.starts_with('#') || line.starts_with("% ") ? 1 : 0;
 }
 
 }  // namespace
 
+bool isComment(std::string_view line) {
+  return commentMark(trimmed(line)) > 0;
+}
+
 CsvLayout layoutOf(std::string_view text) {
+  constexpr std::size_t kMostUnnamed = 4;  // Rows above the header, as of a cut line.
   CsvLayout layout;
   std::optional<char> stated;
   std::vector<HeadLine> head;
-  std::vector<std::string_view> row;
-  std::size_t number = 0, rowsLine = 0;
-  std::string_view rows;
-  while (!text.empty() && row.empty()) {
+  std::size_t number = 0, unnamed = 0, firstLine = 0;
+  std::string_view first;  // From the first row on.
+  char firstSeparator = ',';
+  while (!text.empty() && unnamed < kMostUnnamed) {
     const std::string_view whole = text, line = takeLine(text), plain = trimmed(line);
     ++number;
     if (plain.empty()) continue;
@@ -143,27 +188,30 @@ CsvLayout layoutOf(std::string_view text) {
       stated = statedSeparator(plain);
       if (stated) continue;
     }
-    const bool isComment = plain.front() == '#';
+    const std::size_t mark = commentMark(plain);
     layout.separator = stated.value_or(separatorOf(line));
-    std::vector<std::string_view> cells = cellsOf(line, layout.separator);
-    if (!isComment && isRow(cells, layout.separator)) {
-      row = std::move(cells);
-      rows = whole;
-      rowsLine = number;
-    } else {
-      head.push_back({isComment ? plain.substr(1) : line, isComment, text, number});
+    const std::vector<std::string_view> cells = cellsOf(line, layout.separator);
+    if (mark > 0 || !isRow(cells, layout.separator)) {
+      head.push_back({mark > 0 ? plain.substr(mark) : line, mark > 0, text, number});
+      continue;
     }
+    if (const HeadLine* header = headerAmong(head, cells, layout.separator)) {
+      takeHeader(layout, *header, cells.size());
+      tellApart(layout, head, *header);
+      takeUnits(layout, head, *header);
+      return layout;
+    }
+    if (unnamed++ > 0) continue;
+    first = whole;
+    firstLine = number;
+    firstSeparator = layout.separator;
   }
-  const HeadLine* header = row.empty() ? nullptr : headerAmong(head, row, layout.separator);
-  if (header == nullptr) {
-    const auto plain = std::ranges::find(head, false, &HeadLine::isComment);
-    if (plain == head.end()) return {layout.separator, {}, rows, rowsLine};
-    layout.separator = stated.value_or(separatorOf(plain->text));
-    takeHeader(layout, *plain, cellsOf(plain->text, layout.separator).size());
-    return layout;
-  }
-  takeHeader(layout, *header, row.size());
-  takeUnits(layout, head, *header);
+  const auto plain = std::ranges::find_if(head, [&](const HeadLine& line) {
+    return !line.isComment && (unnamed == 0 || line.number < firstLine);
+  });
+  if (plain == head.end()) return {firstSeparator, {}, first, firstLine};
+  layout.separator = stated.value_or(separatorOf(plain->text));
+  takeHeader(layout, *plain, cellsOf(plain->text, layout.separator).size());
   return layout;
 }
 

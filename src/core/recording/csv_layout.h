@@ -17,12 +17,16 @@ struct CsvLayout {
 };
 
 /// Finds the layout of a file's text. A line "sep=;" at its beginning states the separator. The
-/// first row is the first line that has more numbers than words, and the header the first line
-/// above it with as many cells, or else the last such line that begins with '#'. Without one the
-/// header is the first line that doesn't begin so; `line` is then that of the first row, too, and
-/// the header may not fit it. Lines that have the same in each cell are none. The units in lines
-/// below it are put in brackets behind the names, and so is "CAL" or "RAW". Letters of Latin-1 in
-/// the header become UTF-8.
+/// first row is the first line that has more numbers than words, and the header the line above it
+/// with as many cells, of several that with most different names, or else the last such comment.
+/// Up to three rows above it are skipped. Without one the header is the first line that is no
+/// comment; `line` is then that of the first row, too, and the header may not fit it. Lines that
+/// have the same in each cell are none. Names that several columns have are told apart by the line
+/// above, and units in lines below are put in brackets behind the names, and so is "CAL" or "RAW".
+/// Letters of Latin-1 in the header become UTF-8.
 CsvLayout layoutOf(std::string_view text);
+
+/// Returns whether a line begins with "#", "//", or "%" and a blank.
+bool isComment(std::string_view line);
 
 }  // namespace rotatebook::recording

@@ -31,6 +31,8 @@ constexpr Foreign kForeign[]{
      "a pointer of git-lfs in the place of the table; fetch that with \"git lfs pull\""},
     {"<!DOCTYPE", "a web page; download the table that it shows"},
     {"<html", "a web page; download the table that it shows"},
+    {"{", "JSON, which isn't read; export the recording as CSV"},
+    {"[{", "JSON, which isn't read; export the recording as CSV"},
     {std::string_view("\xFF\xFE\0\0", 4), kUtf32},
     {std::string_view("\0\0\xFE\xFF", 4), kUtf32},
 };
@@ -75,8 +77,9 @@ CsvTable::CsvTable(std::string_view bytes, std::string name) : name_(std::move(n
   }
   for (std::size_t number = layout.line; !layout.rows.empty(); ++number) {
     const std::string_view line = takeLine(layout.rows);
-    if (!trimmed(line).empty() && line.front() != '#') addRow(line, number);
+    if (!trimmed(line).empty() && !isComment(line)) addRow(line, number);
   }
+  if (firstShort_ == 0 && !lines_.empty()) failShort("give each column a cell in every row");
   if (lines_.empty()) fail("no rows below a header; a recording is a table of numbers (CSV)");
 }
 
@@ -99,11 +102,28 @@ void CsvTable::addRow(std::string_view line, std::size_t number) {
   lines_.push_back(number);
   std::vector<std::string_view> cells = cellsOf(line, separator_);
   while (cells.size() > header_.size() && cells.back().empty()) cells.pop_back();
-  if (cells.size() != header_.size()) {
-    failAt(lines_.size() - 1, cellsText(cells.size()) + ", but the header names " +
-                                  std::to_string(header_.size()) + " columns");
+  const bool isShort = cells.size() < header_.size();
+  if (firstShort_ && !isShort) failShort("leave such rows out");
+  if (cells.size() > header_.size()) {
+    failAt(lines_.size() - 1, cellsText(cells.size()) + namedText() +
+                                  "; name them all, or, if numbers have decimal commas, separate "
+                                  "the cells by semicolons");
   }
+  if (isShort && !firstShort_) {
+    firstShort_ = lines_.size() - 1;
+    cellsOfShort_ = cells.size();
+  }
+  cells.resize(header_.size());
   cells_.insert(cells_.end(), cells.begin(), cells.end());
+}
+
+std::string CsvTable::namedText() const {
+  return ", but the header names " + std::to_string(header_.size()) +
+         (header_.size() == 1 ? " column" : " columns");
+}
+
+void CsvTable::failShort(const std::string& remedy) const {
+  failAt(*firstShort_, cellsText(cellsOfShort_) + namedText() + "; " + remedy);
 }
 
 bool CsvTable::isHole(std::size_t row, std::size_t column) const {
@@ -117,12 +137,17 @@ bool CsvTable::isText(std::size_t row, std::size_t column) const {
 double CsvTable::at(std::size_t row, std::size_t column, const std::string& remedy) const {
   const std::string_view cell = cells_[row * header_.size() + column];
   if (const auto number = numberIn(cell, separator_)) return *number;
-  const bool haveCommas =
-      cell.find_first_not_of("+-.,0123456789") == cell.npos && cell.find(',') != cell.npos;
-  failAt(row, "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
-                  quotedText(oneLine(cell, kLongestShown)) + ", which is " +
-                  std::string(kindText(cell)) + "; " +
-                  (haveCommas ? "write numbers without commas, such as 1000.5" : remedy));
+  // Commas, blanks, also those that don't break, and apostrophes.
+  constexpr std::string_view kDigits = "0123456789", kMarks = ",' \xC2\xA0\xE2\x80\xAF\x99";
+  const bool haveMarks =
+      !cell.empty() && kDigits.find(cell.back()) != kDigits.npos &&
+      cell.find_first_not_of("+-.0123456789,' \xC2\xA0\xE2\x80\xAF\x99") == cell.npos &&
+      cell.find_first_of(kMarks) != cell.npos;
+  failAt(row,
+         "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
+             quotedText(oneLine(cell, kLongestShown)) + ", which is " +
+             std::string(kindText(cell)) + "; " +
+             (haveMarks ? "write numbers without marks between digits, such as 1000.5" : remedy));
 }
 
 std::optional<Decimal> CsvTable::decimalAt(std::size_t row, std::size_t column) const {

@@ -19,9 +19,9 @@ inline constexpr std::size_t kMaxRows = 1'000'000;
 inline constexpr std::size_t kMaxColumns = 256;
 
 /// A table below a line that names its columns, see layoutOf(). Cells are separated by tabs,
-/// semicolons, commas or blanks, whichever a line has, in this order; where they aren't separated
-/// by commas, numbers may have a decimal comma. Empty lines, and lines that begin with '#', are
-/// skipped; so are empty cells beyond the header's.
+/// semicolons, commas, bars or blanks, whichever a line has, in this order; where they aren't
+/// separated by commas, numbers may have a decimal comma. Empty lines and comments are skipped, and
+/// so are empty cells beyond the header's; rows at the end that have too few are filled with holes.
 class CsvTable {
  public:
   /// Takes the bytes of a file, which must outlive the table; `name` is the file's in messages.
@@ -56,13 +56,17 @@ class CsvTable {
  private:
   void requireText(std::string_view bytes) const;
   void addRow(std::string_view line, std::size_t number);
+  std::string namedText() const;
+  [[noreturn]] void failShort(const std::string& remedy) const;
 
   std::string name_;
   std::string decoded_;  // UTF-16's text
   char separator_ = ',';
   std::vector<std::string> header_;
-  std::vector<std::string_view> cells_;  // row by row
-  std::vector<std::size_t> lines_;       // of each row in the file, from 1
+  std::vector<std::string_view> cells_;      // row by row
+  std::vector<std::size_t> lines_;           // of each row in the file, from 1
+  std::optional<std::size_t> firstShort_{};  // Row of too few cells, as at the end of a cut file.
+  std::size_t cellsOfShort_ = 0;
 };
 
 }  // namespace rotatebook::recording

@@ -133,7 +133,6 @@ SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsF
   if (needsForce && !isMerged) requireWhole(table, result.force, force);
   const Indices& needed = hasMotion ? result.motion : result.force;
   if (needed.empty()) failEmpty(table, hasMotion ? motion : force);
-  // Dates and times of day
   if (table.isText(needed.front(), columns.time))
     table.at(needed.front(), columns.time, "write seconds, as since the start");
   const Indices others = isMerged ? result.force : Indices{};

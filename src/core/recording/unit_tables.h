@@ -33,7 +33,7 @@ inline constexpr Unit kUnitsOfRates[]{
      "rad\xC2\xB7s\xE2\x81\xBB\xC2\xB9 rad\xC2\xB7s^-1"},
     {std::numbers::pi / 180,
      "deg/s dps deg/sec degrees/s degrees/sec degree/s degree/sec degs/s degs degs^-1 degs-1 "
-     "deg*s^-1 deg.s^-1 degps degpersec degpers degreespersecond \xC2\xB0/s \xC2\xB0/sec deg "
+     "deg*s^-1 deg.s^-1 d/s degps degpersec degpers degreespersecond \xC2\xB0/s \xC2\xB0/sec deg "
      "\xC2\xB0s\xE2\x81\xBB\xC2\xB9 \xC2\xB0s-1"},
     {std::numbers::pi / 180'000,
      "mdps mdeg/s millideg/s millidegs millidegrees/s mdegps mdegs milli-deg/s m\xC2\xB0/s"},

@@ -150,6 +150,27 @@ const std::vector<Export>& exports() {
        "1403636579768555392,1403636579758555392,0,0,0,1,0,0,2\n"
        "1403636579778555392,1403636579768555392,0,0,0,1,0,0,2\n",
        2, false},
+      {"WitMotion",
+       "StartTime: 2022-11-01 12:00:00.000\naddress\tTime(s)\tax(g)\tay(g)\taz(g)\twx(deg/s)\t"
+       "wy(deg/s)\twz(deg/s)\tT(\xC2\xB0)\t\n0x50\t0\t0\t0\t1\t0\t0\t2\t25\t\n"
+       "0x50\t.01\t0\t0\t1\t0\t0\t2\t25\t\n",
+       2 * kDegree},
+      {"ArduPilot",
+       "TimeUS,I,GyrX (rad/s),GyrY (rad/s),GyrZ (rad/s),T\n0,0,0,0,2,40\n10000,0,0,0,2,40\n"},
+      {"PASCO",
+       "Time (s) Run #1,Angular Velocity - x (rad/s) Run #1,Angular Velocity - y (rad/s) Run #1,"
+       "Angular Velocity - z (rad/s) Run #1\n0,0,0,2\n.01,0,0,2\n"},
+      {"GoPro's",
+       "t_ms,Gyroscope (z) [rad/s],Gyroscope (x) [rad/s],Gyroscope (y) [rad/s]\n"
+       "0,2,0,0\n10,2,0,0\n"},
+      {"Axivity", "Time (s),Gyro-X (d/s),Gyro-Y (d/s),Gyro-Z (d/s)\n0,0,0,2\n.01,0,0,2\n",
+       2 * kDegree},
+      {"OptiTrack",
+       "Format Version,1.23,Take Name,Take 1,Export Frame Rate,100\n\n,,Rigid Body,Rigid Body,"
+       "Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body,Rigid Body\n,,Rotation,Rotation,"
+       "Rotation,Rotation,Position,Position,Position,Mean Marker Error\nFrame,Time (Seconds),X,Y,Z,"
+       "W,X,Y,Z,\n0,0,0,0,0,1,5,6,7,.1\n1,.01,0,0,0.00999983333,0.99995000042,5,6,7,.1\n",
+       2, false},
       {"units below",
        "Time,Gyro X,Gyro Y,Gyro Z\n(s),(rad/s),(rad/s),(rad/s)\n0,0,0,2\n.01,0,0,2\n"},
   };
@@ -175,7 +196,8 @@ TEST(Exporters, HaveForcesWithGravity) {
   for (const Export& one : exports()) {
     const bool has =
         one.text.find("ccel") != std::string::npos || one.text.find("Ac") != std::string::npos ||
-        one.text.find("ACC") != std::string::npos || one.text.find("az_g") != std::string::npos;
+        one.text.find("ACC") != std::string::npos || one.text.find("az_g") != std::string::npos ||
+        one.text.find("az(g)") != std::string::npos;
     const InertialRecording recording = readInertial(one.text, "m.csv", {});
     EXPECT_EQ(recording.hasForce, has) << one.program;
     EXPECT_NEAR(recording.readings.front().force.norm(), has ? 9.8 : 0, 0.01) << one.program;
@@ -238,6 +260,9 @@ TEST(Columns, InTwoSpellingsAreRefused) {
               HasSubstr("the quaternion's norm is 0"));
   EXPECT_THAT(refusalTo("t (s),qw,qx,qy,qz,quat_w,quat_x,quat_y,quat_z"),
               HasSubstr("\"qw\" and \"quat_w\", hold the same"));
+  // A matrix, whose order isn't said.
+  EXPECT_THAT(refusalTo("t (s),Rot[0],Rot[1],Rot[2],Rot[3],Rot[4],Rot[5],Rot[6],Rot[7],Rot[8]"),
+              HasSubstr("neither attitudes"));
   // Which of these is w isn't said.
   EXPECT_THAT(refusalTo("t (s),q1,q2,q3,q4"), HasSubstr("neither attitudes"));
 }

@@ -53,10 +53,12 @@ TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
   EXPECT_EQ(refusal("t,wx,wy,wz" + rows),
             "m.csv: the column \"wx\" doesn't say whether it is in rad/s or deg/s; state it in "
             "simulation.rates, or with --rates");
-  for (const char* unit : {"rad/min", "counts"}) {
+  for (const char* unit : {"rad/min", "counts", "gon/s"}) {
     const std::string u = std::string(" (") + unit + ")";
-    EXPECT_THAT(refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows),
-                HasSubstr("doesn't say whether"));
+    EXPECT_THAT(
+        refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows),
+        HasSubstr("has rates in a unit that isn't read; write them in rad/s or deg/s, or, if "
+                  "they are, state it in simulation.rates, or with --rates"));
   }
   EXPECT_EQ(
       refusal("t,wx (rad/s),wy (deg/s),wz (rad/s)" + rows),
@@ -77,7 +79,10 @@ TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
   EXPECT_EQ(
       refusal("t (h)" + rates),
       "m.csv: the column \"t (h)\" has times in a unit that isn't read; there are s, ms, us, ns "
-      "and min: state one in simulation.time_unit, or with --time-unit");
+      "and min: write them in one, or, if they are, state it in simulation.time_unit, or with "
+      "--time-unit");
+  EXPECT_THAT(refusal("t,wx (rad/s),wy (rad/s),wz (rad/s)\nabc,0,0,9\n1,0,0,9\n"),
+              HasSubstr("\"abc\", which is no finite number; write seconds"));
 }
 
 TEST(ReadRecording, TakesNamedColumns) {

@@ -113,6 +113,26 @@ Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Slopes& slope
   return variance * inverse + byBias * biasVariance.asDiagonal() * byBias.transpose();
 }
 
+/// Lessens the error of a fit whose Gauss-Newton steps are too long, as where its matrix is nearly
+/// singular, by a damped one (Levenberg, Marquardt). Returns false if none helps much.
+bool stepDamped(Readings flight, double unreached, Parameters& p, double& error) {
+  constexpr double kLeastGain = 0.01, kSmallest = 1e-4, kLargest = 1e4;
+  const Slopes slopes = slopesOf(flight, p, unreached);
+  const SquareOfParameters squares = productOf(slopes, slopes);
+  const Parameters gradient = productOf(slopes, residualsOf(flight, p, unreached));
+  for (double damping = kSmallest; damping <= kLargest; damping *= 10) {
+    SquareOfParameters damped = squares;
+    damped.diagonal() *= 1 + damping;
+    const Parameters next = p - inverseOf(damped) * gradient;
+    const double nextError = residualsOf(flight, next, unreached).squaredNorm();
+    if (!(nextError < (1 - kLeastGain) * error)) continue;
+    p = next;
+    error = nextError;
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Eigen::Matrix3d tensorOf(const Parameters& p) {
@@ -199,8 +219,17 @@ MomentumMatrix meanMomentum(const std::vector<RecordedMoment>& moments, std::siz
   return sum / static_cast<double>(end - start);
 }
 
+bool isFollowed(Readings flight, const Parameters& start) {
+  constexpr double kLargestTurn = 1;  // [rad]
+  for (std::size_t i = 1; i < flight.size(); ++i) {
+    const double step = flight[i].rate.time - flight[i - 1].rate.time;
+    if (flight[i].rate.angularVelocity.norm() * step > kLargestTurn) return false;
+  }
+  return principalMoments(tensorOf(start))[0] > 0;
+}
+
 FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance) {
-  constexpr int kMaxIterations = 20;
+  constexpr int kMaxIterations = 40;
   constexpr int kMaxHalvings = 20;
   const double unreached = unreachedIn(flight);
   double error = residualsOf(flight, p, unreached).squaredNorm();
@@ -216,7 +245,7 @@ FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& bi
       if (isLess) p += step;
       if (isLess) error = next;
     }
-    if (!isLess) break;
+    if (!isLess && !stepDamped(flight, unreached, p, error)) break;
   }
   FreeSpinFit fit;
   fit.parameters = p;
@@ -225,6 +254,16 @@ FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& bi
   fit.covariance = covarianceOf(slopesOf(flight, p, unreached), variance, biasVariance);
   fit.residual = std::sqrt(error / count);
   return fit;
+}
+
+FreeSpinFit nearestFreeSpin(Readings flight, const Parameters& start,
+                            const Eigen::Vector3d& biasVariance, double noise) {
+  constexpr double kMuch = 3, kLess = 0.9;
+  FreeSpinFit fit = fitFreeSpin(flight, start, biasVariance);
+  if (fit.residual <= kMuch * noise) return fit;
+  const Parameters ball = parametersOf(Eigen::Matrix3d::Identity(), start.tail<3>());
+  const FreeSpinFit other = fitFreeSpin(flight, ball, biasVariance);
+  return other.residual < kLess * fit.residual ? other : fit;
 }
 
 }  // namespace rotatebook::recording

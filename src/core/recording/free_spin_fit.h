@@ -48,6 +48,10 @@ struct Linear {
 /// but for gaps in which the attitude can't be followed: another is taken after each of breaksIn().
 Linear solveLinear(Readings flight);
 
+/// Returns whether the readings can be followed from one to the next, and a body's tensor is found:
+/// else a fit may take seconds.
+bool isFollowed(Readings flight, const Parameters& start);
+
 /// A free motion that is fitted to rates.
 struct FreeSpinFit {
   Parameters parameters;
@@ -59,5 +63,10 @@ struct FreeSpinFit {
 /// covariance is by the scatter of the rates and by `biasVariance`, of a bias that shifts all
 /// rates of an axis alike. [rad^2/s^2]
 FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance);
+
+/// Fits likewise from `start` and, where that leaves more than three times the noise, from a ball:
+/// the fit that leaves less. [rad/s]
+FreeSpinFit nearestFreeSpin(Readings flight, const Parameters& start,
+                            const Eigen::Vector3d& biasVariance, double noise);
 
 }  // namespace rotatebook::recording

@@ -79,6 +79,9 @@ class Stretch {
     return least;
   }
 
+  /// Returns how long the first ten readings take. [s]
+  double durationOfTen() const { return moments_[kMinReadings - 1].time - moments_.front().time; }
+
  private:
   /// Returns the shortest stretches that may be a flight.
   std::vector<Range> windows() const {
@@ -186,7 +189,7 @@ class Stretch {
   std::vector<std::size_t> breaks_;
 };
 
-/// Returns the runs of fast readings without long gaps, each long enough for a flight.
+/// Returns the runs of fast readings without long gaps, each that lasts long enough for a flight.
 std::vector<Range> fastRuns(const InertialRecording& recording) {
   const auto& all = recording.readings;
   const auto timeOf = [&](std::size_t i) { return all[i].rate.time; };
@@ -196,22 +199,32 @@ std::vector<Range> fastRuns(const InertialRecording& recording) {
     const bool isFast = i < all.size() && all[i].rate.angularVelocity.norm() > kSlowestThrow;
     const bool isGap = i > start && i < all.size() && timeOf(i) - timeOf(i - 1) > kLongestGap;
     if (isFast && !isGap) continue;
-    if (i >= start + kMinReadings && timeOf(i - 1) - timeOf(start) >= kShortestThrow)
-      runs.push_back({start, i});
+    if (i > start && timeOf(i - 1) - timeOf(start) >= kShortestThrow) runs.push_back({start, i});
     start = isFast ? i : i + 1;
   }
   return runs;
 }
 
-/// Returns why there is no flight where angular momentum changes by `change` at least.
-std::string problemOf(double change) {
+/// Returns why there is no flight where angular momentum changes by `change` at least over ten
+/// readings, which take so long. [-, s]
+std::string problemOf(double change, double tenReadings) {
   if (change < kLargestChange) {
-    return "it moves only as a body would that has moments that none has: it spins too steadily to "
-           "tell, or each axis has its own scale";
+    return "it isn't a free flight: it moves only as a body would that has moments that none has: "
+           "it spins too steadily to tell, or each axis has its own scale";
   }
-  return "no body's angular momentum would stay within " + percentOf(kLargestChange) + " for " +
-         roundedText(kShortestThrow, 2) + " s (root mean square), at best within " +
-         percentOf(change);
+  const bool areFew = tenReadings > kShortestThrow;
+  return std::string(areFew ? "no free flight was found" : "it isn't a free flight") +
+         ": no body's angular momentum would stay within " + percentOf(kLargestChange) + " for " +
+         roundedText(std::max(tenReadings, kShortestThrow), 2) +
+         " s (root mean square), at best within " + percentOf(change) +
+         (areFew ? "; a shorter flight has fewer than " + std::to_string(kMinReadings) +
+                       " readings: record more of them a second"
+                 : "");
+}
+
+std::string tooFewText(std::size_t count) {
+  return "there are " + std::to_string(count) + " readings, but a flight takes at least " +
+         std::to_string(kMinReadings) + "; record more of them a second";
 }
 
 }  // namespace
@@ -220,19 +233,28 @@ std::vector<FastStretch> fastStretches(const InertialRecording& recording) {
   std::vector<FastStretch> stretches;
   for (const Range& run : fastRuns(recording)) {
     const Range whole{0, run.second - run.first};
+    if (whole.second < kMinReadings) {
+      stretches.push_back({run, run, tooFewText(whole.second)});
+      continue;
+    }
     const Stretch stretch(Readings(recording.readings).subspan(run.first, whole.second));
     std::vector<Range> flights = stretch.flights();
     std::ranges::sort(flights);
     flights.push_back({whole.second, whole.second});
     std::size_t start = 0;
     for (const Range& one : flights) {
-      const Range flight = withoutEnds({run.first + one.first, run.first + one.second});
-      if (flight.second - flight.first >= kMinReadings) stretches.push_back({flight});
+      const Range flight{run.first + one.first, run.first + one.second};
+      const Range trimmed = withoutEnds(flight);
+      const bool isEnough = trimmed.second - trimmed.first >= kMinReadings;
+      if (one != Range{whole.second, whole.second})
+        stretches.push_back({isEnough ? trimmed : flight, run});
       const Range before{start, one.first};
       const double change = stretch.leastChange(before);
       // Beside a flight, what a hand does isn't told.
       if (change < kLargestChange || before == whole)
-        stretches.push_back({{run.first + start, run.first + one.first}, problemOf(change)});
+        stretches.push_back({{run.first + start, run.first + one.first},
+                             run,
+                             problemOf(change, stretch.durationOfTen())});
       start = one.second;
     }
   }

@@ -11,6 +11,7 @@ namespace rotatebook::recording {
 /// A stretch of a recording in which the body turns fast.
 struct FastStretch {
   Range range;
+  Range run;              ///< The fast readings around it.
   std::string problem{};  ///< Why it is no flight; empty for a flight.
 };
 

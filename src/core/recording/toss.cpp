@@ -13,13 +13,16 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "recording/flight.h"
+#include "recording/free_part.h"
 #include "recording/gaps.h"
-#include "recording/throws.h"
 
 namespace rotatebook::recording {
 namespace {
 
 constexpr double kWidest = 0.5;  // interval of a ratio
+// Residual of a fit that other errors than noise make, in multiples of the noise at rest. Steady
+// spins leave 1, measured.
+constexpr double kMuch = 5;
 
 Eigen::Vector2d ratiosOf(const Parameters& p) {
   const Eigen::Vector3d moments = principalMoments(tensorOf(p));
@@ -74,13 +77,13 @@ Eigen::Matrix3d bodysTensor(const Eigen::Matrix3d& tensor) {
 /// Refuses a motion. Where the fit leaves much more than the noise at rest, it is other errors that
 /// hide the inertia, and not the motion.
 [[noreturn]] void refuse(const std::string& name, const std::string& reason, const TossFit& fit) {
-  constexpr double kMuch = 5;  // Steady spins leave 1 times the noise, measured.
   const bool haveErrors = fit.noise > 0 && fit.residual > kMuch * fit.noise;
   const std::string remedy =
       haveErrors ? "any body's free motion differs from the rates by " +
                        roundedText(fit.residual / fit.noise, 2) +
-                       " times the noise at rest, as where an axis has another scale, axes aren't "
-                       "square to each other, or times are wrong: calibrate the gyroscope"
+                       " times the noise at rest, as where a hand still holds it, an axis has "
+                       "another scale, axes aren't square to each other, or times are wrong: state "
+                       "the flight alone with --from and --to, or calibrate the gyroscope"
                  : "toss the body so that it tumbles, spun about its middle axis";
   throw InputError(name + ": the motion doesn't tell the inertia: " + reason + "; " + remedy);
 }
@@ -89,16 +92,16 @@ std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
 
-[[noreturn]] void failFlight(const std::string& name, double from, double to,
-                             const std::string& reason) {
-  throw InputError(name + ": from " + timeText(from) + " to " + timeText(to) +
-                   " s it isn't a free flight: " + reason);
+[[noreturn]] void failStretch(const std::string& name, double from, double to,
+                              const std::string& problem) {
+  throw InputError(name + ": from " + timeText(from) + " to " + timeText(to) + " s " + problem);
 }
 
 [[noreturn]] void refuseFlight(const TossFit& fit, const std::string& name,
                                const std::string& reason) {
-  failFlight(name, fit.from, fit.to,
-             reason + "; state the flight alone with --from and --to, or find it with --list");
+  failStretch(name, fit.from, fit.to,
+              "it isn't a free flight: " + reason +
+                  "; state the flight alone with --from and --to, or find it with --list");
 }
 
 std::string percentText(double part) {
@@ -224,17 +227,6 @@ double wideningFor(double residual, const Rest& rest, std::size_t readings) {
   return std::sqrt(std::max(1.0, (1 + (ratio - 1) * count / kQuarters) / ratio));
 }
 
-/// Returns whether the readings can be followed from one to the next, and a body's tensor is found:
-/// else a fit may take seconds.
-bool isFollowed(Readings flight, const Parameters& start) {
-  constexpr double kLargestTurn = 1;  // [rad]
-  for (std::size_t i = 1; i < flight.size(); ++i) {
-    const double step = flight[i].rate.time - flight[i - 1].rate.time;
-    if (flight[i].rate.angularVelocity.norm() * step > kLargestTurn) return false;
-  }
-  return principalMoments(tensorOf(start))[0] > 0;
-}
-
 double spinOf(Readings flight) {
   double sum = 0;
   for (const InertialReading& one : flight) sum += one.rate.angularVelocity.squaredNorm();
@@ -272,8 +264,9 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
   requireMomentum(linear, result, name);
   const Parameters start = parametersOf(linear.tensor, flight.front().rate.angularVelocity);
   if (!isFollowed(flight, start)) requireGap(result, name);
-  const FreeSpinFit fit = fitFreeSpin(
-      flight, start, biasVariance(rest, (result.from + result.to) / 2 - recording.zero));
+  const FreeSpinFit fit = nearestFreeSpin(
+      flight, start, biasVariance(rest, (result.from + result.to) / 2 - recording.zero),
+      rest.noise);
   result.residual = fit.residual;
   requireGap(result, name);
   requireFree(result, name);
@@ -284,6 +277,24 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
   result.start = fit.parameters.tail<3>();
   result.inertia = bodysTensor(tensorOf(fit.parameters));
   return result;
+}
+
+/// Returns the throw that a range is, with its fit or why that is refused.
+Throw throwIn(const InertialRecording& recording, const std::string& name, Range range,
+              const std::string& problem) {
+  Throw one;
+  one.from = recording.zero + recording.readings[range.first].rate.time;
+  one.to = recording.zero + recording.readings[range.second - 1].rate.time;
+  one.isFlight = problem.empty();
+  one.spin = spinOf(Readings(recording.readings).subspan(range.first, range.second - range.first));
+  try {
+    if (!problem.empty()) failStretch(name, one.from, one.to, problem);
+    requireFew(range, name);
+    one.fit = fitFlight(recording, name, range);
+  } catch (const InputError& error) {
+    one.refusal = error.what();
+  }
+  return one;
 }
 
 /// Returns how fast the body turns at most, where that is too slow for a throw; else nothing.
@@ -339,22 +350,17 @@ TossFit fitToss(const InertialRecording& recording, const std::string& name,
 std::vector<Throw> findThrows(const InertialRecording& recording, const std::string& name,
                               const TossOptions& options) {
   std::vector<Throw> throws;
-  for (const auto& [range, problem] : fastStretches(recording)) {
-    Throw one;
-    one.from = recording.zero + recording.readings[range.first].rate.time;
-    one.to = recording.zero + recording.readings[range.second - 1].rate.time;
-    if (one.from < options.from.value_or(one.from) || one.to > options.to.value_or(one.to))
-      continue;
-    one.spin =
-        spinOf(Readings(recording.readings).subspan(range.first, range.second - range.first));
-    try {
-      if (!problem.empty()) failFlight(name, one.from, one.to, problem);
-      requireFew(range, name);
-      one.fit = fitFlight(recording, name, range);
-    } catch (const InputError& error) {
-      one.refusal = error.what();
+  const auto timeOf = [&](std::size_t i) {
+    return recording.zero + recording.readings[i].rate.time;
+  };
+  for (const auto& [stretch, part] : freeStretches(recording)) {
+    const double from = timeOf(stretch.range.first), to = timeOf(stretch.range.second - 1);
+    if (from < options.from.value_or(from) || to > options.to.value_or(to)) continue;
+    Throw one = throwIn(recording, name, part, stretch.problem);
+    if (!one.fit && part != stretch.range) {
+      Throw whole = throwIn(recording, name, stretch.range, stretch.problem);
+      if (whole.fit) one = std::move(whole);
     }
-    one.isFlight = problem.empty();
     throws.push_back(std::move(one));
   }
   return throws;

@@ -218,6 +218,7 @@ Verdict verdictOn(const MotionSettings& motion, const std::vector<Sample>& sampl
   verdict.start = samples.front().regime;
   verdict.end = samples.back().regime;
   const bool isRecorded = motion.simulation.model == physics::Model::Recorded;
+  verdict.isRecorded = isRecorded;
   if (isRecorded) verdict.spins = motion.simulation.recorded.motion->spins();
   const std::vector<Sample> exact = exactAt(motion, samples);
   Comparison comparison = compared(samples, exact);

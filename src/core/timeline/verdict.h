@@ -52,6 +52,7 @@ inline constexpr std::size_t kLeastRows = 12;
 /// one that is fitted. Energy and L are relative to the exact motion's, which nudges change; where
 /// spins are slopes of attitudes, without the two at each end, which are one-sided.
 struct Verdict {
+  bool isRecorded = false;  ///< Apart from the inertia.
   std::size_t samples = 0;
   double duration = 0;                  ///< [s]
   double endErrorDeg = 0;               ///< Sample::errorDeg of the last sample. [degrees]

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -19,10 +21,6 @@ std::string_view plainKindOf(Errs errs) {
       return "agrees with the exact motion, from a start within the uncertainty of its spins";
     case Errs::SpinIsFixed:
       return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
-    case Errs::TooFewAttitudes:
-      return "its attitudes are too far apart, or they or their times too uncertain, for their "
-             "slopes to be its angular velocities; record more of them, or the angular "
-             "velocities, too";
     case Errs::Swings:
       return "swings in energy or angular momentum, which come back: another inertia than that of "
              "the body that moved, or angular velocities with a bias, or of other moments than the "
@@ -49,8 +47,46 @@ std::string_view plainKindOf(Errs errs) {
   }
 }
 
+/// Returns why attitudes alone aren't judged. Of noise, slopes to nearer neighbours have more.
+std::string tooFewAttitudesText(const Verdict& verdict) {
+  constexpr double kOfNoise = 0.7;  // of slopes, beside the noise of L
+  if (kOfNoise * verdict.scatter > verdict.spins.uncertainty / 2) {
+    return "its attitudes, or their times, are too uncertain from row to row for their slopes to "
+           "be its angular velocities; keep fewer rows, so that it turns by about 10 degrees from "
+           "one to the next, or record the angular velocities, too";
+  }
+  return "its attitudes are too far apart, or their times too uncertain, for their slopes to be "
+         "its angular velocities; record more of them, or the angular velocities, too";
+}
+
+/// Returns whether energy or the size of L goes one way.
+bool isTrend(Errs errs) {
+  return errs == Errs::GainsEnergy || errs == Errs::LosesEnergy || errs == Errs::GainsMomentum ||
+         errs == Errs::LosesMomentum || errs == Errs::GainsBoth || errs == Errs::LosesBoth ||
+         errs == Errs::Inconsistently;
+}
+
+/// Returns whether it may be the inertia, and not the motion: one that is wrong by 1 % changes
+/// energy and L by up to 1 %, which needn't have come back at the end.
+bool mayBeInertia(const Verdict& verdict) {
+  constexpr double kSmall = 0.02;
+  const double change = std::max(std::fabs(verdict.energyDrift), std::fabs(verdict.momentumDrift));
+  return verdict.isRecorded &&
+         (verdict.errs == Errs::InPhase || (isTrend(verdict.errs) && change < kSmall));
+}
+
+/// Names the inertia, if it may be that, before the methods: "gains energy, as with ...".
+std::string withCauses(const Verdict& verdict, std::string kind) {
+  constexpr std::string_view kAs = ", as ";
+  const std::size_t causes = kind.find(kAs);
+  if (causes == kind.npos || !mayBeInertia(verdict)) return kind;
+  return kind.insert(causes + kAs.size(), "with an inertia that is stated a little wrong, or as ");
+}
+
 std::string kindOf(const Verdict& verdict) {
   switch (verdict.errs) {
+    case Errs::TooFewAttitudes:
+      return tooFewAttitudesText(verdict);
     case Errs::SpinsAreOthers:
       return "has angular velocities that aren't the slopes of its attitudes, which differ from "
              "the exact motion's by up to " +
@@ -59,7 +95,8 @@ std::string kindOf(const Verdict& verdict) {
       return "agrees with the exact motion by its attitudes alone; its angular velocities " +
              ratesText(verdict.spins);
     case Errs::InPhase:
-      return "keeps energy and angular momentum, but not the pace, as with long steps" +
+      return withCauses(verdict,
+                        "keeps energy and angular momentum, but not the pace, as with long steps") +
              (verdict.spins.fit.isOff()
                   ? ", or with rates of another scale: they " + ratesText(verdict.spins)
                   : std::string());
@@ -82,7 +119,7 @@ std::string kindOf(const Verdict& verdict) {
       return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
              " degrees: another convention, another inertia, or an outer torque";
     default:
-      return std::string(plainKindOf(verdict.errs));
+      return withCauses(verdict, std::string(plainKindOf(verdict.errs)));
   }
 }
 

@@ -10,6 +10,7 @@ namespace {
 using physics::Integrator;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const Table kAttitudesAlone{.rates = ""};
 
@@ -43,6 +44,20 @@ TEST(VerdictOnRecordings, AnInertiaThatIsStatedWrongSwings) {
   const Verdict alone = verdictOnText(textOf(exactBook(), kAttitudesAlone), bookWith(1.001));
   EXPECT_TRUE(alone.errs == Errs::HardlyAsFitted || alone.errs == Errs::InPhase)
       << methodThat(alone);
+}
+
+TEST(VerdictOnRecordings, AnInertiaThatIsStatedWrongIsSaidWhereChangesAreSmall) {
+  for (const Errs errs : {Errs::GainsBoth, Errs::LosesBoth, Errs::InPhase}) {
+    Verdict verdict{.isRecorded = true, .energyDrift = 0.01, .errs = errs};
+    EXPECT_THAT(methodThat(verdict),
+                HasSubstr(", as with an inertia that is stated a little wrong, or as "));
+    verdict.isRecorded = false;  // A scene's inertia is its own.
+    EXPECT_THAT(methodThat(verdict), Not(HasSubstr("inertia")));
+  }
+  EXPECT_TRUE(verdictOnText(textOf(exactBook(), {})).isRecorded);
+  // Steps of a method change more.
+  const auto explicitBook = thrownBook(Integrator::ExplicitGyroscopic, 60);
+  EXPECT_THAT(methodThat(verdictOnText(textOf(explicitBook, {}))), Not(HasSubstr("inertia")));
 }
 
 TEST(VerdictOnRecordings, NoiseIsNoFaultOfTheMotion) {
@@ -93,7 +108,17 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
   const Verdict verdict = verdictOnText(textOf(exactBook(5), kAttitudesAlone));
   EXPECT_EQ(verdict.errs, Errs::TooFewAttitudes) << methodThat(verdict);
   EXPECT_GT(verdict.spins.uncertainty, 0.03);  // measured 0.046
+  EXPECT_THAT(methodThat(verdict), HasSubstr("too far apart"));
   EXPECT_EQ(verdictOnText(textOf(exactBook(10), kAttitudesAlone)).errs, Errs::HardlyAsFitted);
+}
+
+TEST(VerdictOnRecordings, AttitudesWithNoiseAreToBeFartherApart) {
+  Table noisy = kAttitudesAlone;
+  noisy.noise = 0.004;  // of attitudes, 0.23 degrees [rad]
+  const Verdict verdict = verdictOnText(textOf(exactBook(480), noisy));
+  EXPECT_EQ(verdict.errs, Errs::TooFewAttitudes) << methodThat(verdict);
+  EXPECT_THAT(methodThat(verdict), HasSubstr("keep fewer rows, so that it turns by about 10"));
+  EXPECT_EQ(verdictOnText(textOf(exactBook(36), noisy)).errs, Errs::HardlyAsFitted);
 }
 
 /// Returns a gyroscope's table of the exact motion, without `missing` rows of each 60.

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "body/closed_surface.h"
 #include "body/near_points.h"
+#include "body/voids.h"
 
 namespace rotatebook::body {
 namespace {
@@ -77,6 +78,7 @@ Closing closeSurface(Surface& surface) {
     }
     requireClosed(surface.mesh, closing.numbers);
   }
+  requireVoidsInside(surface.mesh, closing.numbers);
   const std::size_t left = all - closing.numbers.size();
   if (left > 0) closing.notes.push_back(noteOnEmpty(left));
   if (left == 0) closing.numbers.clear();

@@ -32,7 +32,8 @@ struct ClosedMesh {
 
 /// Welds a surface. Leaves triangles out that have a corner twice, which changes nothing that a
 /// surface encloses. Joins points that are nearer than kNearPoints where the surface isn't closed
-/// without; else all bits stay as they are. Throws as welded() and requireClosed() do.
+/// without; else all bits stay as they are. Throws as welded(), requireClosed()
+/// and requireVoidsInside() do.
 Closing closeSurface(Surface& surface);
 
 }  // namespace rotatebook::body

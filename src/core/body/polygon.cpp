@@ -72,6 +72,8 @@ class Polygon {
     if (!(turn(a, b, c) > 0)) return false;
     for (std::size_t k = i + 3; k < i + corners_.size(); ++k) {
       const Vector3d& other = at(k);
+      // An outline that goes to a hole and back meets its own corners.
+      if (other == a || other == b || other == c) continue;
       if (turn(a, b, other) >= 0 && turn(b, c, other) >= 0 && turn(c, a, other) >= 0) return false;
     }
     return true;

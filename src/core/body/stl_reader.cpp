@@ -36,7 +36,8 @@ void requireWhole(std::string_view bytes, std::size_t count) {
       std::to_string(kTriangle) + " bytes, but has " + std::to_string(data.size()) +
       " bytes of them" +
       (data.size() > said ? ", " + std::to_string(data.size() - said) + " too many" : "") +
-      ": no STL file, or not whole; export it again");
+      (data.size() > said ? ": the number is wrong, or something else follows; export it again"
+                          : ": no STL file, or not whole; export it again"));
 }
 
 TriangleMesh readBinaryStl(std::string_view bytes) {

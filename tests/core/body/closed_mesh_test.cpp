@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,6 +52,30 @@ TEST(ClosedMesh, TakesPointsThatAreNearEachOtherForOne) {
         ElementsAre(AllOf(HasSubstr("28 points are taken as others that lie "),
                           HasSubstr("e-10 or less from them"), HasSubstr("the mesh is 3 long"))));
   }
+}
+
+TEST(ClosedMesh, TakesNothingAwayWhereNothingIs) {
+  TriangleMesh inward = boxMesh(0.5, 0.5, 0.5);
+  for (auto& triangle : inward.triangles) std::swap(triangle[1], triangle[2]);
+  const auto withBox = [&](const Vector3d& place) {
+    TriangleMesh both = boxMesh(1, 2, 3);
+    append(movedTo(inward, place), both);
+    return both;
+  };
+  const auto box = boxAround(boxMesh(1, 2, 3).points);
+  const auto other = boxAround(inward.points);
+  // In the middle, and flush with a side
+  const Vector3d within = (box.low + box.high) / 2 - (other.low + other.high) / 2;
+  const Vector3d flush(box.high.x() - other.high.x(), within.y(), within.z());
+  for (const Vector3d& place : {within, flush})
+    EXPECT_NEAR(massPropertiesOf(closed(withBox(place)).surface.mesh, 1).volume, 6 - 0.125, 1e-12);
+  for (const double apart : {0.1, 5.0}) {
+    EXPECT_EQ(messageOf([&] { closed(withBox(flush + Vector3d(apart, 0, 0))); }),
+              "the closed surface of triangle 13 faces inward, and is in no other from which it "
+              "could take away; turn its triangles' corners round");
+  }
+  // All inward: the whole is inside out, which is said where its volume is.
+  EXPECT_EQ(closed(inward).surface.mesh.triangles.size(), 12U);
 }
 
 TEST(ClosedMesh, DoesntJoinPointsThatAreFurtherApart) {

@@ -67,6 +67,21 @@ TEST(Polygon, HasNoTriangleOutsideIfItIsConcave) {
   }
 }
 
+// A square with a hole, to which the outline goes along a bridge, and back.
+TEST(Polygon, MayGoToAHoleAndBack) {
+  const std::vector<Vector3d> points{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}, {0, 3, 0},
+                                     {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}};
+  std::vector<std::uint32_t> corners{0, 1, 2, 3, 0, 4, 7, 6, 5, 4};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+    TriangleMesh mesh{points, {}};
+    addPolygon(corners, mesh);
+    EXPECT_EQ(mesh.triangles.size(), 8U) << i;
+    EXPECT_EQ(totalArea(mesh), 2 * 8.0) << i;
+    for (const auto& triangle : mesh.triangles) EXPECT_GT(areaOf(mesh, triangle), 0) << i;
+  }
+}
+
 TEST(Polygon, IsRefusedIfItIsConcaveAndHasManyCorners) {
   std::vector<Vector3d> saw;
   for (int i = 0; i < 1001; ++i) saw.emplace_back(i, i % 2, 0);

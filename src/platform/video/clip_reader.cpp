@@ -76,7 +76,8 @@ PictureFacts factsOf(const AVFrame& frame) {
           .crop = {pixels(frame.crop_left), pixels(frame.crop_top), pixels(frame.crop_right),
                    pixels(frame.crop_bottom)},
           .messages = messagesOf(frame),
-          .quantiser = quantiserOf(frame)};
+          .quantiser = quantiserOf(frame),
+          .coarsestQuantiser = coarsestQuantiserOf(frame)};
 }
 
 /// Throws InputError if the codec is none of a clip's.
@@ -213,7 +214,10 @@ struct ClipReader::Parts {
   /// Bytes after a frame are another one to libvpx, and nothing to FFmpeg's own decoder.
   void compareWithOther() {
     const bool isThere = avcodec_receive_frame(otherDecoder.get(), other.get()) == 0;
-    if (isThere && hasAlpha) picture.quantiser = quantiserOf(*other);
+    if (isThere && hasAlpha) {
+      picture.quantiser = quantiserOf(*other);
+      picture.coarsestQuantiser = coarsestQuantiserOf(*other);
+    }
     if (isThere && haveSameColours(*frame, *other)) return;
     picture.messages += picture.messages.empty() ? "" : "; ";
     picture.messages += "another picture for another decoder";

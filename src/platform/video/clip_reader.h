@@ -85,6 +85,7 @@ struct PictureFacts {
   /// scale, 0 to 51, where 6 more double the step. Blocks that are copied count as the picture's
   /// own. Of the colours only, where there is alpha. None if the decoder doesn't report it.
   std::optional<double> quantiser{};
+  std::optional<double> coarsestQuantiser{};  ///< Likewise, of the block that has the coarsest.
 };
 
 /// Decodes a clip picture by picture.

@@ -14,6 +14,11 @@ constexpr double kWorstQuantiser = 51;  // H.264's.
 constexpr double kDoubling = 6;         // It doubles the step.
 constexpr int kWorstIndex = 255;        // VP9's.
 
+AVVideoEncParams* parametersOf(const AVFrame& frame) {
+  const AVFrameSideData* data = av_frame_get_side_data(&frame, AV_FRAME_DATA_VIDEO_ENC_PARAMS);
+  return data == nullptr ? nullptr : reinterpret_cast<AVVideoEncParams*>(data->data);
+}
+
 /// Returns a block's quantiser in H.264's scale.
 double quantiserOf(AVVideoEncParamsType type, int value) {
   if (type == AV_VIDEO_ENC_PARAMS_VP9) return quantiserOfVp9(value);
@@ -34,9 +39,8 @@ double quantiserOfVp9(int index) {
 }
 
 std::optional<double> quantiserOf(const AVFrame& frame) {
-  const AVFrameSideData* data = av_frame_get_side_data(&frame, AV_FRAME_DATA_VIDEO_ENC_PARAMS);
-  if (data == nullptr) return std::nullopt;
-  auto* parameters = reinterpret_cast<AVVideoEncParams*>(data->data);
+  AVVideoEncParams* parameters = parametersOf(frame);
+  if (parameters == nullptr) return std::nullopt;
   if (parameters->nb_blocks == 0) return quantiserOf(parameters->type, parameters->qp);
   double squares = 0, area = 0;  // Of steps, over that at 0.
   for (unsigned i = 0; i < parameters->nb_blocks; ++i) {
@@ -47,6 +51,17 @@ std::optional<double> quantiserOf(const AVFrame& frame) {
     area += pixels;
   }
   return area > 0 ? std::optional(kDoubling / 2 * std::log2(squares / area)) : std::nullopt;
+}
+
+std::optional<double> coarsestQuantiserOf(const AVFrame& frame) {
+  AVVideoEncParams* parameters = parametersOf(frame);
+  if (parameters == nullptr) return std::nullopt;
+  double coarsest = 0;
+  for (unsigned i = 0; i < parameters->nb_blocks; ++i) {
+    const int change = av_video_enc_params_block(parameters, i)->delta_qp;
+    coarsest = std::max(coarsest, quantiserOf(parameters->type, parameters->qp + change));
+  }
+  return parameters->nb_blocks == 0 ? quantiserOf(frame) : coarsest;
 }
 
 }  // namespace rotatebook::video

@@ -12,6 +12,9 @@ namespace rotatebook::video {
 /// AV_FRAME_DATA_VIDEO_ENC_PARAMS.
 std::optional<double> quantiserOf(const AVFrame& frame);
 
+/// Returns the coarsest of the blocks' quantisers, likewise.
+std::optional<double> coarsestQuantiserOf(const AVFrame& frame);
+
 /// Returns VP9's quantiser `index`, 0 to 255, in H.264's scale, as far as steps are the same.
 double quantiserOfVp9(int index);
 

@@ -45,6 +45,10 @@ inline constexpr std::array<MeasureRow, 8> kMeasures{{
 /// fewer than a quarter of these leaves it. None if too few blocks show texture.
 std::optional<double> codingNoise(const video::Planes& picture, const video::Planes& drawn);
 
+/// Returns how many times as far a picture like `drawn` may seem shifted as one that a book fills:
+/// fewer edges tell it less surely. >= 1
+double roomOfShift(const video::Planes& drawn);
+
 /// Returns whether no measure of `measured` is above that of `bound`.
 bool isWithin(const Deviation& measured, const Deviation& bound);
 

@@ -17,10 +17,17 @@ namespace rotatebook::pipeline {
 /// `quantiser` explains, in pictures of `width` x `height` pixels.
 Deviation encodingBound(double quantiser, int width, int height);
 
-/// Compares `picture` with `drawn`, its frame `frame`. The bound is that of `quantiser`, if that is
-/// reported, but at most that of kCoarsestProof, and no larger than codingNoise() explains.
+/// The quantisers that a decoder reports of a picture, if it does.
+struct CodedWith {
+  std::optional<double> quantiser{};  ///< As in video::PictureFacts.
+  std::optional<double> coarsest{};   ///< The coarsest of a block.
+};
+
+/// Compares `picture` with `drawn`, its frame `frame`. The bound is that of `coding`'s quantiser,
+/// but at most that of kCoarsestProof, and no larger than codingNoise() explains; of single blocks
+/// at least that of the coarsest, as far as a fine clip has such.
 PictureCheck compareWith(const video::Planes& drawn, std::int64_t frame,
-                         const video::Planes& picture, std::optional<double> quantiser);
+                         const video::Planes& picture, const CodedWith& coding);
 
 /// Draws the frames of a scene and compares them with decoded ones.
 class PictureComparison {
@@ -30,8 +37,7 @@ class PictureComparison {
 
   /// Compares `picture` with frame `frame`, as compareWith() does, and with its neighbours. Fastest
   /// with ascending frames.
-  PictureCheck compare(std::int64_t frame, const video::Planes& picture,
-                       std::optional<double> quantiser);
+  PictureCheck compare(std::int64_t frame, const video::Planes& picture, const CodedWith& coding);
 
  private:
   const video::Planes& drawn(std::int64_t frame);

@@ -61,18 +61,21 @@ ClipCheck checkMotion(const store::Provenance& there, const std::string& motion)
 /// Follows the quantisers with which pictures are coded. Decoders report for a block that is copied
 /// the quantiser that its picture states, whatever the block was coded with. Encoders state the
 /// finest in key frames: a picture finer than its key frame is copied for the most part, and may be
-/// as coarse as the coarsest since.
+/// as coarse as the coarsest since. Letters that stand still are copied in any case.
 class Quantisers {
  public:
-  std::optional<double> next(const video::PictureFacts& picture) {
+  CodedWith next(const video::PictureFacts& picture) {
     const double reported = picture.quantiser.value_or(0);
-    if (picture.isKey) key_ = coarsest_ = reported;
+    const double block = picture.coarsestQuantiser.value_or(0);
+    if (picture.isKey) key_ = coarsest_ = reported, keyBlock_ = block;
     coarsest_ = std::max(coarsest_, reported);
-    return picture.quantiser && reported < key_ ? coarsest_ : picture.quantiser;
+    return {picture.quantiser && reported < key_ ? coarsest_ : picture.quantiser,
+            std::max(keyBlock_, block)};
   }
 
  private:
   double key_ = 0, coarsest_ = 0;
+  double keyBlock_ = 0;  // The coarsest of a block of the key frame.
 };
 
 bool isCoarse(const Verification& found) {
@@ -131,8 +134,8 @@ class Verifier {
       display.add(facts);
       quantisers += facts.quantiser.value_or(0);
       reported += facts.quantiser ? 1 : 0;
-      const std::optional<double> quantiser = coded.next(facts);
-      if (wanted) found.pictures.push_back(comparison.compare(frame, reader_.picture(), quantiser));
+      const CodedWith coding = coded.next(facts);
+      if (wanted) found.pictures.push_back(comparison.compare(frame, reader_.picture(), coding));
       if (options_.progress)
         options_.progress({frame + 1 - found.range.first, found.range.count()});
     }
@@ -160,7 +163,9 @@ class Verifier {
     const video::ClipFacts& facts = reader_.facts();
     for (PictureCheck& check : found.pictures) {
       const double quantiser = std::max(check.quantiser, *found.quantiser);
+      const double shift = check.bound.shift;  // Of a picture with few edges.
       check.bound = encodingBound(quantiser, facts.width, facts.height);
+      check.bound.shift = std::max(check.bound.shift, shift);
     }
   }
 

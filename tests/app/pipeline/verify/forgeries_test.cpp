@@ -56,8 +56,10 @@ class ForgedClips {
     video::ClipReader reader(path);
     Excess excess{.smallest = std::numeric_limits<double>::infinity()};
     for (std::size_t frame = 0; reader.next(); ++frame) {
-      const PictureCheck check = compareWith(drawn_.at(frame), static_cast<std::int64_t>(frame),
-                                             reader.picture(), reader.pictureFacts().quantiser);
+      const video::PictureFacts& coded = reader.pictureFacts();
+      const PictureCheck check =
+          compareWith(drawn_.at(frame), static_cast<std::int64_t>(frame), reader.picture(),
+                      {coded.quantiser, coded.coarsestQuantiser});
       double largest = 0;
       for (const MeasureRow& row : kMeasures) {
         largest = std::max(largest, check.measured.*row.value / check.bound.*row.value);

@@ -77,7 +77,7 @@ TEST(PictureComparison, BoundsACoarsePictureByTheCoarsestProof) {
   drawer.draw(5, picture);
   const video::Planes planes = video::planesToEncode(picture.view(), false);
   const auto boundAt = [&](std::optional<double> quantiser) {
-    return PictureComparison(scene, drawer, kFrames).compare(5, planes, quantiser).bound.rms;
+    return PictureComparison(scene, drawer, kFrames).compare(5, planes, {quantiser}).bound.rms;
   };
   EXPECT_EQ(boundAt(51), boundAt(kCoarsestProof));
   EXPECT_LT(boundAt(20), boundAt(kCoarsestProof));
@@ -96,7 +96,7 @@ TEST(PictureComparison, BoundsAFinePictureOfCoarseQuantisersByItsNoise) {
     video::Planes noisy = drawn;
     for (std::size_t i = 0; i < noisy.y.size(); ++i) noisy.y[i] += i % 2 == 0 ? noise : -noise;
     EXPECT_NEAR(codingNoise(noisy, drawn).value(), noise, 1e-4);
-    return compareWith(drawn, 5, noisy, quantiser).bound;
+    return compareWith(drawn, 5, noisy, {quantiser}).bound;
   };
   EXPECT_LT(boundAt(1, 30).lumaPatch, boundAt(2, 30).lumaPatch);
   EXPECT_LT(boundAt(2, 30).worstBlock, encodingBound(30, 320, 180).worstBlock);

@@ -58,8 +58,10 @@ double smallestExcess(const Captioned& shown, const Captioned& said, const Codin
   video::ClipReader reader(path);
   double smallest = 1e9;
   for (std::size_t frame = 0; reader.next(); ++frame) {
-    const PictureCheck check = compareWith(said.planes.at(frame), static_cast<std::int64_t>(frame),
-                                           reader.picture(), reader.pictureFacts().quantiser);
+    const video::PictureFacts& coded = reader.pictureFacts();
+    const PictureCheck check =
+        compareWith(said.planes.at(frame), static_cast<std::int64_t>(frame), reader.picture(),
+                    {coded.quantiser, coded.coarsestQuantiser});
     double largest = 0;
     for (const MeasureRow& row : kMeasures) {
       largest = std::max(largest, check.measured.*row.value / check.bound.*row.value);

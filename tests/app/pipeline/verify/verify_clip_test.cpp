@@ -198,6 +198,34 @@ TEST(VerifyClip, ProvesASmallBookAmongStars) {
   EXPECT_TRUE(proved(verifyClip(folder / "small.webm", {.allFrames = true})));
 }
 
+// x264 codes letters far more coarsely than the rest.
+TEST(VerifyClip, ProvesLettersInAFineClip) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene =
+      smallScene({"title='A book thrown about its middle axis'", "clip.size=[640, 360]",
+                  "clip.fps=240", "clip.duration=0.007", "video.crf=3", "video.preset=medium",
+                  "caption='Spun one degree off that axis, it turns over again and again.'",
+                  "overlay.show=['caption']"});
+  testing::render(scene, {.folder = folder, .outputs = outputsOf(false, {VideoFormat::Mp4})});
+  EXPECT_TRUE(proved(verifyClip(folder / "small.mp4", {.allFrames = true})));
+}
+
+// Little changes and few edges show: pictures are copied, and seem to be shifted.
+TEST(VerifyClip, ProvesATinyBook) {
+  const auto isProved = [](std::vector<std::string> settings, VideoFormat format) {
+    settings.insert(settings.begin(), {"clip.size=[160, 90]", "clip.duration=0.1"});
+    const auto made = testing::render(
+        smallScene(settings), {.folder = emptyFolder(), .outputs = outputsOf(false, {format})});
+    return proved(verifyClip(made.files.video(format), {.allFrames = true}));
+  };
+  EXPECT_TRUE(isProved({"look.background='#2b5d8a'", "camera.position=[0, 0, 16]", "clip.fps=30",
+                        "video.crf=22", "initial.angular_velocity=[4, 0, 0.1]"},
+                       VideoFormat::Mp4));
+  EXPECT_TRUE(isProved({"look.background=black", "camera.position=[0, 0, 2]", "clip.fps=144",
+                        "initial.angular_velocity=[4, 0, 1]"},
+                       VideoFormat::WebM));
+}
+
 class VerifyCoarseClipOf : public ::testing::TestWithParam<std::vector<std::string>> {};
 
 TEST_P(VerifyCoarseClipOf, EachIsConsistent) {

@@ -70,12 +70,8 @@ void settle(const ValueReader& section, Motion& motion) {
 }
 
 void readBody(const ValueReader& section, Motion& motion) {
-  auto fields = fieldsOf(bodyKeys(), [&motion](const auto& key, const ValueReader& value) {
-    key.read(value, motion);
-  });
-  const auto others = fieldsOf(solidKeys(), [&motion](const auto& key, const ValueReader& value) {
-    key.read(value, motion.solid);
-  });
+  auto fields = fieldsInto(motion, bodyKeys());
+  const auto others = fieldsInto(motion.solid, solidKeys());
   fields.insert(fields.end(), others.begin(), others.end());
   section.readTable(fields);
   readStatedShape(section, motion.solid);

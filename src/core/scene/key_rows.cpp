@@ -26,12 +26,12 @@ std::string quotedAsCode(std::string_view text) {
   return result;
 }
 
-std::string meaningOf(const KeyText& key, const std::string& unit) {
+std::string meaningOf(const KeyText& key, const ValueForm& form, const std::string& unit) {
   const std::string models = key.models == kOfParticles  ? "particles: "
                              : key.models == kOfRecorded ? "recorded: "
                              : key.models == kOfRigid    ? "rigid models: "
                                                          : "";
-  return models + (key.meaning.empty() ? key.comment : key.meaning) +
+  return models + (key.meaning.empty() ? commentOf(key, form) : std::string(key.meaning)) +
          (unit.empty() ? "" : " [" + unit + "]");
 }
 
@@ -72,9 +72,9 @@ KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::s
   std::string unit(key.unit);
   if (unit.empty() && form.dimension) unit = unitsOf(*form.dimension).front();
   return {.name = std::move(name),
-          .byDefault = key.byDefault.empty() ? "`" + value + "`" : key.byDefault,
-          .allowed = quotedAsCode(key.allowed),
-          .meaning = meaningOf(key, unit),
+          .byDefault = key.byDefault.empty() ? "`" + value + "`" : std::string(key.byDefault),
+          .allowed = quotedAsCode(allowedOf(key, form)),
+          .meaning = meaningOf(key, form, unit),
           .value = std::move(value),
           .form = form,
           .unit = unit,

@@ -55,8 +55,9 @@ struct ValueForm {
   Type type = Type::Own;
   double min = 0, max = 0;  ///< Of each number, in SI units; of a text's characters.
   std::optional<Dimension> dimension{};
-  std::vector<std::string_view> choices{};
-  bool hasWholeParts = false;  ///< Of Type::Own: its numbers are integers.
+  std::string_view expected{};  ///< Of Own, Number and Vector, as in messages: "a number".
+  std::span<const std::string_view> choices{};  ///< Of Type::Own: values are lists of them.
+  bool hasWholeParts = false;                   ///< Of Type::Own: its numbers are integers.
 
   bool isWhole() const { return type == Type::Integer || hasWholeParts; }
 };

@@ -1,6 +1,5 @@
 #include "scene/measure.h"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -8,19 +7,6 @@
 
 namespace rotatebook::scene {
 namespace {
-
-constexpr bool isOfMotions(const MeasureRow& row) {
-  return row.sections == MeasureSections::All;
-}
-
-constexpr auto kOfMotions = [] {
-  std::array<Measure, std::ranges::count_if(kMeasureRows, isOfMotions)> all{};
-  std::size_t count = 0;
-  for (const MeasureRow& row : kMeasureRows) {
-    if (isOfMotions(row)) all[count++] = row.measure;
-  }
-  return all;
-}();
 
 /// Returns the angle of the body's line along its first spin to where that line was at the start.
 /// [degrees]
@@ -31,10 +17,6 @@ double turnedDeg(const physics::Sample& sample, const physics::Sample& start) {
 }
 
 }  // namespace
-
-std::span<const Measure> measuresOfMotions() {
-  return kOfMotions;
-}
 
 std::string reasonForAbsence(Measure measure, physics::Model model) {
   using physics::Model;

@@ -2,10 +2,10 @@
 // take.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -73,8 +73,17 @@ constexpr std::string_view nameOf(Measure measure) {
   return rowOf(measure).name;
 }
 
-/// Returns the measures that [expect] and [grid] take, in the order of the rows.
-std::span<const Measure> measuresOfMotions();
+/// The measures that [expect] and [grid] take, in the order of the rows.
+inline constexpr auto kMeasuresOfMotions = [] {
+  constexpr auto isOne = [](const MeasureRow& row) { return row.sections == MeasureSections::All; };
+  std::array<Measure, std::ranges::count_if(kMeasureRows, isOne)> all{};
+  std::size_t count = 0;
+  for (const MeasureRow& row : kMeasureRows) {
+    if (isOne(row)) all[count++] = row.measure;
+  }
+  return all;
+}();
+
 /// Returns why motions of `model` have no such measure; empty if they have.
 std::string reasonForAbsence(Measure measure, physics::Model model);
 

@@ -47,7 +47,7 @@ TomlNode numberNode(double value, bool isWhole, const std::string& location) {
 }
 
 template <typename S>
-const Key<S>& keyNamed(const Keys<S>& keys, const Path& path, const Place& place) {
+const Key<S>& keyNamed(Keys<S> keys, const Path& path, const Place& place) {
   const auto found = std::ranges::find(keys, path.name, &Key<S>::name);
   if (found != keys.end()) return *found;
   std::vector<std::string_view> names;
@@ -59,7 +59,7 @@ const Key<S>& keyNamed(const Keys<S>& keys, const Path& path, const Place& place
 template <typename S>
 void requireParts(const Key<S>& key, const S& base, const Path& path, const Place& place) {
   const std::string whole = path.section + "." + path.name;
-  if (!key.readPart)
+  if (!key.hasParts())
     document::failAt(place.location, whole + " has no parts, and so no " + place.key);
   if (!key.text(base).empty()) return;
   document::failAt(place.location, place.key + " is a part of " + whole +
@@ -68,7 +68,7 @@ void requireParts(const Key<S>& key, const S& base, const Path& path, const Plac
 
 /// Returns what reads a value into the key of an S, which `part` finds in a motion.
 template <typename S, typename Part>
-ReadMotionKey readerIn(const Keys<S>& keys, Part part, const MotionSettings& base, const Path& path,
+ReadMotionKey readerIn(Keys<S> keys, Part part, const MotionSettings& base, const Path& path,
                        const Place& place) {
   const Key<S>& key = keyNamed(keys, path, place);
   MotionSettings copy = base;

@@ -23,9 +23,7 @@ namespace rotatebook::scene {
 namespace {
 
 void readSections(const ValueReader& file, Scene& scene) {
-  auto fields = fieldsOf(titleKeys(), [&scene](const Key<Scene>& key, const ValueReader& value) {
-    key.read(value, scene);
-  });
+  auto fields = fieldsInto(scene, titleKeys());
   const auto motion = motionSections();
   addFields(fields, motion.first(motion.size() - 1), scene);
   addFields(fields, pictureSections(), scene);

@@ -12,7 +12,7 @@ using scene::Measure;
 /// Returns the quantities that a single moment has.
 std::vector<Measure> momentaryMeasures() {
   std::vector<Measure> all;
-  for (const Measure measure : scene::measuresOfMotions()) {
+  for (const Measure measure : scene::kMeasuresOfMotions) {
     if (rowOf(measure).span == scene::MeasureSpan::Moment) all.push_back(measure);
   }
   return all;

@@ -62,7 +62,7 @@ void expectRange(const Expectation& expectation, double lowest, double highest) 
 
 TEST(Measures, HaveTheNamesOfAScene) {
   std::vector<std::string_view> names;
-  for (const Measure measure : measuresOfMotions()) names.push_back(nameOf(measure));
+  for (const Measure measure : kMeasuresOfMotions) names.push_back(nameOf(measure));
   EXPECT_THAT(names,
               ElementsAre("half_turns", "tilt_deg", "energy_ratio", "rotational_ratio", "L_ratio",
                           "stretch", "error_deg", "regime", "centre_drift", "diverges_at"));
@@ -168,7 +168,7 @@ TEST(Check, HoldsEverySingularValueToTheBoundsOfStretch) {
 }
 
 TEST(Check, NeverMeetsAnythingInAnEmptyWindow) {
-  for (const Measure measure : measuresOfMotions()) {
+  for (const Measure measure : kMeasuresOfMotions) {
     for (const auto& [from, to] :
          {std::pair(0.11, 0.19), std::pair(5.0, 6.0), std::pair(0.3, 0.1)}) {
       const Expectation expectation{.measure = measure, .min = -1e9, .from = from, .to = to};

@@ -337,7 +337,7 @@ TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
 }
 
 TEST(ExpectSection, KnowsEveryQuantity) {
-  for (const Measure measure : measuresOfMotions()) {
+  for (const Measure measure : kMeasuresOfMotions) {
     const std::string name(nameOf(measure));
     const Scene scene = sceneFrom("expect." + name + ".min = 1");
     ASSERT_EQ(scene.expectations.size(), 1u) << name;

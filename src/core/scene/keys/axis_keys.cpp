@@ -28,16 +28,13 @@ constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
                                                      {"moments.middle", AxisKind::MiddleMoment}}};
 
 /// Keys of an axis that is a range.
-const Keys<Axis>& rangeKeys() {
-  static const Keys<Axis> keys{
-      key("key", &Axis::key, text(kLongestPath)),
-      key("from", &Axis::from, number(kNumber)),
-      key("to", &Axis::to, number(kNumber)),
-      key("scale", &Axis::scale, oneOf(kScales)),
-      {"label",
-       [](const ValueReader& value, Axis& axis) { axis.label = value.text(kLongestLabel); },
-       [](const Axis& axis) { return axis.label.empty() ? "" : tomlString(axis.label); },
-       {}},
+Keys<Axis> rangeKeys() {
+  static constexpr std::array keys{
+      text<&Axis::key>("key", kLongestPath),
+      number<&Axis::from>("from", kNumber),
+      number<&Axis::to>("to", kNumber),
+      choice<&Axis::scale, kScales>("scale"),
+      key<&Axis::label, textFrom, optionalText>("label", textForm(kLongestLabel)),
   };
   return keys;
 }
@@ -127,9 +124,7 @@ std::vector<StatedValue> valuesOf(const std::vector<ValueReader>& elements, cons
 StatedAxis statedAxis(const ValueReader& table) {
   StatedAxis stated;
   int count = 0;
-  std::vector<Field> fields = fieldsOf(
-      rangeKeys(),
-      [&](const Key<Axis>& key, const ValueReader& value) { key.read(value, stated.axis); });
+  std::vector<Field> fields = fieldsInto(stated.axis, rangeKeys());
   fields.push_back({"values", [](const ValueReader&) {}});
   fields.push_back({"count", [&](const ValueReader& value) {
                       count = value.integer(2, static_cast<int>(kMaxRuns));
@@ -154,6 +149,8 @@ StatedAxis statedAxis(const ValueReader& table) {
   return stated;
 }
 
+}  // namespace
+
 Axis valueAxisFrom(const ValueReader& table) {
   const StatedAxis stated = statedAxis(table);
   Axis axis{.key = stated.axis.key, .label = stated.axis.label};
@@ -177,16 +174,8 @@ Axis pixelAxisFrom(const ValueReader& table) {
   return axis;
 }
 
-}  // namespace
-
-Kind<Axis> valueAxis() {
-  return {valueAxisFrom, valueAxisText,
-          "a table such as { key = \"simulation.substeps\", values = [1, 10, 100] }"};
-}
-
-Kind<Axis> pixelAxis() {
-  return {pixelAxisFrom, [](const Axis& axis) { return inlineTable(rangeKeys(), axis); },
-          "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }"};
+std::string pixelAxisText(const Axis& axis) {
+  return inlineTable(rangeKeys(), axis);
 }
 
 std::vector<StatedValue> statedValues(const ValueReader& axis) {

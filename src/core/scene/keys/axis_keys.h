@@ -6,14 +6,31 @@
 
 #include "base/document/toml_tree.h"
 #include "scene/axis.h"
-#include "scene/keys/key.h"
+#include "scene/keys/kinds.h"
 
 namespace rotatebook::scene {
 
+Axis valueAxisFrom(const ValueReader& table);
+std::string valueAxisText(const Axis& axis);
+Axis pixelAxisFrom(const ValueReader& table);
+std::string pixelAxisText(const Axis& axis);
+
 /// Axes of values, of [grid] and [study], as a list or as a range with its count.
-Kind<Axis> valueAxis();
+template <auto kMember>
+constexpr auto valueAxis(std::string_view name, const KeyText& documentation) {
+  return own<kMember, valueAxisFrom, valueAxisText>(
+      name, "a table such as { key = \"simulation.substeps\", values = [1, 10, 100] }",
+      documentation);
+}
+
 /// Axes of [map], whose range has a value for each pixel.
-Kind<Axis> pixelAxis();
+template <auto kMember>
+constexpr auto pixelAxis(std::string_view name, const KeyText& documentation) {
+  return own<kMember, pixelAxisFrom, pixelAxisText>(
+      name,
+      "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }",
+      documentation);
+}
 
 /// A value, and the node that takes the place of the key's own.
 struct StatedValue {

@@ -141,27 +141,27 @@ std::string speedText(const PlaybackSpeed& speed) {
 
 }  // namespace
 
-const Keys<ClipSettings>& clipKeys() {
-  static const Keys<ClipSettings> keys{
-      {"size",
-       readPictureSize,
-       pictureSizeText,
-       {.comment = "pixels, width and height, even",
-        .meaning = "each even, 16 to 16384",
-        .allowed = kPictureSizes,
-        .unit = "pixels",
-        .affects = Affects::Picture}},
-      key("fps", &ClipSettings::frameRate,
-          Kind<FrameRate>{frameRateFrom, frameRateText, kFrameRates},
+Keys<ClipSettings> clipKeys() {
+  static constexpr std::array keys{
+      keyOf<ClipSettings, readPictureSize, pictureSizeText>(
+          "size", ownForm(kPictureSizes),
+          {.comment = "pixels, width and height, even",
+           .meaning = "each even, 16 to 16384",
+           .unit = "pixels",
+           .affects = Affects::Picture}),
+      own<&ClipSettings::frameRate, frameRateFrom, frameRateText>(
+          "fps", kFrameRates,
           {.comment = "frames a second", .meaning = "of the video", .unit = "frames/s"}),
-      key("duration", &ClipSettings::duration, number(kDurations),
-          {.comment = "s of video", .meaning = "of the video"}),
-      key("poster", &ClipSettings::poster, number(kTimes),
+      number<&ClipSettings::duration>("duration", kDurations,
+                                      {.comment = "s of video", .meaning = "of the video"}),
+      number<&ClipSettings::poster>(
+          "poster", kTimes,
           {.comment = "s, time of the poster in the video",
            .meaning = "time of the poster, the picture that represents the clip",
            .byDefault = "the clip's middle",
            .affects = Affects::Picture}),
-      key("speed", &ClipSettings::speed, Kind<PlaybackSpeed>{speedFrom, speedText, kExpectedSpeeds},
+      own<&ClipSettings::speed, speedFrom, speedText>(
+          "speed", kExpectedSpeeds,
           {.comment = "of the motion in the video; 0.25 is slow motion",
            .meaning = "of the motion in the video: 0.25 is slow motion, four times as long; "
                       "see [slow motion](#slow-motion)",

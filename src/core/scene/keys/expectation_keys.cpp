@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "base/nearest_name.h"
 #include "base/text.h"
@@ -19,30 +20,23 @@ constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an arr
 constexpr NumberRange kWindowTimes{"zero or a positive number", 0,
                                    std::numeric_limits<double>::max(), Dimension::Time};
 
-const Keys<Expectation>& windowedBoundKeys() {
-  static const Keys<Expectation> keys{
-      key("min", &Expectation::min, number(kNumber)),
-      key("max", &Expectation::max, number(kNumber)),
-      key("rises_to", &Expectation::risesTo, number(kNumber)),
-      key("falls_to", &Expectation::fallsTo, number(kNumber)),
-      key("from", &Expectation::from, number(kWindowTimes)),
-      {"to",
-       [](const ValueReader& value, Expectation& bounds) {
-         bounds.to = value.number(kWindowTimes);
-       },
-       // A window without an end prints no `to`.
-       [](const Expectation& bounds) {
-         return std::isfinite(bounds.to) ? tomlNumber(bounds.to) : "";
-       },
-       {}},
-  };
-  return keys;
+/// Returns the end of a window; nothing if it has none.
+std::string endText(double end) {
+  return std::isfinite(end) ? tomlNumber(end) : "";
 }
 
-/// Returns those of windowedBoundKeys() that know no time.
-const Keys<Expectation>& timelessBoundKeys() {
-  static const Keys<Expectation> keys(windowedBoundKeys().begin(), windowedBoundKeys().begin() + 2);
-  return keys;
+/// Keys of bounds; with a window, and what is reached in it, if `haveWindows`.
+Keys<Expectation> boundKeysOf(bool haveWindows) {
+  static constexpr std::array keys{
+      number<&Expectation::min>("min", kNumber),
+      number<&Expectation::max>("max", kNumber),
+      number<&Expectation::risesTo>("rises_to", kNumber),
+      number<&Expectation::fallsTo>("falls_to", kNumber),
+      number<&Expectation::from>("from", kWindowTimes),
+      key<&Expectation::to, numberFrom, endText>("to",
+                                                 formOf(ValueForm::Type::Number, kWindowTimes)),
+  };
+  return Keys<Expectation>(keys).first(haveWindows ? keys.size() : 2);
 }
 
 void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,
@@ -59,36 +53,37 @@ void checkWindowed(const ValueReader& bounds, const Expectation& expectation) {
   checkOrder(bounds, "from", expectation.from, "to", expectation.to);
 }
 
-/// Returns the one key that holds all bounds on a quantity.
-Key<std::vector<Expectation>> measureKey(Measure measure) {
-  return {nameOf(measure),
-          [measure](const ValueReader& value, std::vector<Expectation>& expectations) {
-            readEach(value.tables(kExpectedBounds), [&](const ValueReader& bounds) {
-              Expectation expectation{.measure = measure};
-              readKeys(bounds, windowedBoundKeys(), expectation);
-              checkWindowed(bounds, expectation);
-              expectations.push_back(std::move(expectation));
-            });
-          },
-          [measure](const std::vector<Expectation>& expectations) {
-            std::vector<std::string> bounds;
-            for (const Expectation& expectation : expectations) {
-              if (expectation.measure != measure) continue;
-              bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
-            }
-            return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
-          },
-          {.meaning = std::string(rowOf(measure).meaning),
-           .byDefault = "none",
-           .allowed = kExpectedBounds,
-           .affects = Affects::Text}};
+template <Measure kMeasure>
+void readBounds(const ValueReader& value, std::vector<Expectation>& expectations) {
+  readEach(value.tables(kExpectedBounds), [&](const ValueReader& bounds) {
+    Expectation expectation{.measure = kMeasure};
+    readKeys(bounds, boundKeysOf(true), expectation);
+    checkWindowed(bounds, expectation);
+    expectations.push_back(std::move(expectation));
+  });
 }
 
-Expectation placedFrom(const ValueReader& table, const PlacedExpectations& placed) {
+template <Measure kMeasure>
+std::string boundsText(const std::vector<Expectation>& expectations) {
+  std::vector<std::string> bounds;
+  for (const Expectation& expectation : expectations) {
+    if (expectation.measure != kMeasure) continue;
+    bounds.push_back(inlineTable(boundKeysOf(true), expectation));
+  }
+  return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
+}
+
+/// Returns the one key that holds all bounds on a quantity.
+template <Measure kMeasure>
+constexpr auto measureKey() {
+  return keyOf<std::vector<Expectation>, readBounds<kMeasure>, boundsText<kMeasure>>(
+      nameOf(kMeasure), ownForm(kExpectedBounds),
+      {.meaning = rowOf(kMeasure).meaning, .byDefault = "none", .affects = Affects::Text});
+}
+
+Expectation expectationFrom(const ValueReader& table, const PlacedExpectations& placed) {
   Expectation one;
-  std::vector<Field> fields = fieldsOf(
-      placed.haveWindows ? windowedBoundKeys() : timelessBoundKeys(),
-      [&](const Key<Expectation>& key, const ValueReader& value) { key.read(value, one); });
+  std::vector<Field> fields = fieldsInto(one, boundKeysOf(placed.haveWindows));
   fields.push_back(
       {"of", [&](const ValueReader& value) { one.measure = measureFrom(value, placed.measures); }});
   for (std::size_t i = 0; i < placed.keys.size(); ++i) {
@@ -105,14 +100,13 @@ Expectation placedFrom(const ValueReader& table, const PlacedExpectations& place
   return one;
 }
 
-std::string placedText(const Expectation& one, const PlacedExpectations& placed) {
+std::string expectationText(const Expectation& one, const PlacedExpectations& placed) {
   std::string text = "{ of = " + tomlString(nameOf(one.measure)) + ", ";
   for (std::size_t i = 0; i < placed.keys.size(); ++i) {
     if (one.at[i])
       text += std::string(placed.keys[i].place) + " = " + tomlString(*one.at[i]) + ", ";
   }
-  const auto& keys = placed.haveWindows ? windowedBoundKeys() : timelessBoundKeys();
-  return text + inlineTable(keys, one).substr(2);
+  return text + inlineTable(boundKeysOf(placed.haveWindows), one).substr(2);
 }
 
 void requireLabel(const ValueReader& value, const Axis& axis, const std::string& axisName) {
@@ -127,12 +121,11 @@ void requireLabel(const ValueReader& value, const Axis& axis, const std::string&
 
 }  // namespace
 
-const Keys<std::vector<Expectation>>& expectKeys() {
-  static const auto keys = [] {
-    Keys<std::vector<Expectation>> all;
-    for (const Measure measure : measuresOfMotions()) all.push_back(measureKey(measure));
-    return all;
-  }();
+Keys<std::vector<Expectation>> expectKeys() {
+  static constexpr auto keys = []<std::size_t... kIndices>(std::index_sequence<kIndices...>) {
+    return std::array{measureKey<kMeasuresOfMotions[kIndices]>()...};
+  }
+  (std::make_index_sequence<kMeasuresOfMotions.size()>());
   return keys;
 }
 
@@ -147,10 +140,13 @@ Measure measureFrom(const ValueReader& value, MeasureSections sections) {
   return measures[value.choice(names)];
 }
 
-Kind<std::vector<Expectation>> PlacedExpectations::kind() const {
-  return tables<Expectation>(
-      [placed = *this](const ValueReader& table) { return placedFrom(table, placed); },
-      [placed = *this](const Expectation& one) { return placedText(one, placed); }, expected);
+std::vector<Expectation> PlacedExpectations::read(const ValueReader& value) const {
+  return tablesFrom(value, expected,
+                    [this](const ValueReader& table) { return expectationFrom(table, *this); });
+}
+
+std::string PlacedExpectations::text(const std::vector<Expectation>& all) const {
+  return tablesText(all, [this](const Expectation& one) { return expectationText(one, *this); });
 }
 
 void PlacedExpectations::check(const ValueReader& section,
@@ -172,10 +168,10 @@ void PlacedExpectations::check(const ValueReader& section,
   }
 }
 
-const Keys<Bounds>& boundKeys() {
-  static const Keys<Bounds> keys{
-      key("min", &Bounds::min, number(kNumber)),
-      key("max", &Bounds::max, number(kNumber)),
+Keys<Bounds> boundKeys() {
+  static constexpr std::array keys{
+      number<&Bounds::min>("min", kNumber),
+      number<&Bounds::max>("max", kNumber),
   };
   return keys;
 }

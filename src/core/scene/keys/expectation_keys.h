@@ -8,12 +8,12 @@
 
 #include "scene/axis.h"
 #include "scene/expectation.h"
-#include "scene/keys/key.h"
+#include "scene/keys/kinds.h"
 
 namespace rotatebook::scene {
 
 /// One key for each quantity, in the order of the enumeration.
-const Keys<std::vector<Expectation>>& expectKeys();
+Keys<std::vector<Expectation>> expectKeys();
 
 /// Returns the measure that a value names, one that `sections` take. Throws InputError.
 Measure measureFrom(const ValueReader& value, MeasureSections sections);
@@ -31,7 +31,9 @@ struct PlacedExpectations {
   MeasureSections measures;
   const char* expected;  ///< In messages: "tables such as ...".
 
-  Kind<std::vector<Expectation>> kind() const;
+  /// Reads a list of expectations. Throws InputError.
+  std::vector<Expectation> read(const ValueReader& value) const;
+  std::string text(const std::vector<Expectation>& all) const;
   /// Throws InputError if any of the section's is of no value of the axes, which may be null.
   void check(const ValueReader& section, const std::array<const Axis*, 2>& axes) const;
 };
@@ -47,8 +49,23 @@ inline constexpr PlacedExpectations kStudyExpectations{
     MeasureSections::Studies,
     "tables such as { of = \"diverges_at\", x = 10, min = 20 }"};
 
+template <const PlacedExpectations& kPlaced>
+std::vector<Expectation> placedFrom(const ValueReader& value) {
+  return kPlaced.read(value);
+}
+template <const PlacedExpectations& kPlaced>
+std::string placedText(const std::vector<Expectation>& all) {
+  return kPlaced.text(all);
+}
+
+template <auto kMember, const PlacedExpectations& kPlaced>
+constexpr auto placedExpectations(std::string_view name, const KeyText& documentation) {
+  return own<kMember, placedFrom<kPlaced>, placedText<kPlaced>>(name, kPlaced.expected,
+                                                                documentation);
+}
+
 /// Keys of bounds on a number.
-const Keys<Bounds>& boundKeys();
+Keys<Bounds> boundKeys();
 /// Throws InputError if `bounds`, read from `value`, are none, or in the wrong order.
 void checkBounds(const ValueReader& value, const Bounds& bounds);
 

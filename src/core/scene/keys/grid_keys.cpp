@@ -5,14 +5,16 @@
 
 namespace rotatebook::scene {
 
-const Keys<GridSettings>& gridKeys() {
-  static const Keys<GridSettings> keys{
-      key("columns", &GridSettings::columns, valueAxis(),
+Keys<GridSettings> gridKeys() {
+  static constexpr std::array keys{
+      valueAxis<&GridSettings::columns>(
+          "columns",
           {.meaning = "the key that each column has another value of, see [axes](vary.md#axes)",
            .byDefault = "one column"}),
-      key("rows", &GridSettings::rows, valueAxis(),
-          {.meaning = "likewise of each row", .byDefault = "one row"}),
-      key("expect", &GridSettings::expected, kGridExpectations.kind(),
+      valueAxis<&GridSettings::rows>("rows",
+                                     {.meaning = "likewise of each row", .byDefault = "one row"}),
+      placedExpectations<&GridSettings::expected, kGridExpectations>(
+          "expect",
           {.meaning = "[bounds](vary.md#expectations) on the motions of a `column`, of a `row`, or "
                       "of a cell, which is in both",
            .byDefault = "none",

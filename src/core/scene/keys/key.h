@@ -2,8 +2,11 @@
 // room only.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -24,100 +27,61 @@ using document::tomlNumber;
 using document::tomlString;
 using document::ValueReader;
 
-/// Reads a part of a value, such as "0" of a vector. Throws InputError if there is no such part, or
-/// the whole isn't allowed then.
-template <typename T>
-using ReadPart = std::function<void(const ValueReader&, std::string_view part, T& into)>;
-
-/// The functions that read and print values of one kind, and what is known of them.
-template <typename T>
-struct Kind {
-  std::function<T(const ValueReader&)> read;  ///< Throws InputError.
-  std::function<std::string(const T&)> text;  ///< Prints as TOML.
-  std::string allowed;                        ///< As in messages: "a positive number".
-  std::string comment{};                      ///< For keys without a comment of their own.
-  ValueForm form{};
-  ReadPart<T> readPart{};  ///< None of values without parts.
-};
-
 /// The facts and texts in a key's row. Comments are printed after values; the other texts are
 /// Markdown.
 struct KeyText {
-  std::string comment{};    ///< If empty, that of its kind.
-  std::string meaning{};    ///< Without unit and models. If empty, the comment.
-  std::string byDefault{};  ///< If empty, the default value as TOML.
-  std::string allowed{};    ///< If empty, that of its kind.
-  std::string_view unit{};  ///< If empty, the SI's of its form's dimension.
+  std::string_view comment{};    ///< If empty, the choices of its form.
+  std::string_view meaning{};    ///< Without unit and models. If empty, the comment.
+  std::string_view byDefault{};  ///< If empty, the default value as TOML.
+  std::string_view allowed{};    ///< If empty, as its form says.
+  std::string_view unit{};       ///< If empty, the SI's of its form's dimension.
   KeyModels models = kOfAll;
   Affects affects = Affects::Motion;
 };
 
-/// A key of a section that is read into an S.
+/// A key of a section that is read into an S. Rows are made by the functions of kinds.h.
 template <typename S>
 struct Key {
   std::string_view name;
-  std::function<void(const ValueReader&, S&)> read;  ///< Throws InputError.
+  ValueForm form;
+  /// Throws InputError.
+  void (*reader)(const ValueReader&, const ValueForm&, S&);
   /// Prints the value as TOML; empty if there is none to print.
-  std::function<std::string(const S&)> text;
-  KeyText documentation;
-  ValueForm form{};
-  ReadPart<S> readPart{};  ///< None of values without parts.
+  std::string (*printer)(const S&);
+  KeyText documentation{};
+  /// Reads a part, such as "0" of a vector; null for values without parts. Throws InputError if
+  /// there is no such part, or the whole isn't allowed then.
+  void (*partReader)(const ValueReader&, std::string_view part, const ValueForm&, S&) = nullptr;
+
+  void read(const ValueReader& value, S& into) const { reader(value, form, into); }
+  std::string text(const S& from) const { return printer(from); }
+  bool hasParts() const { return partReader != nullptr; }
+  void readPart(const ValueReader& value, std::string_view part, S& into) const {
+    partReader(value, part, form, into);
+  }
 };
 
+/// Rows that a constexpr array has.
 template <typename S>
-using Keys = std::vector<Key<S>>;
-
-/// Returns the key of a value, or optional value, that `field` finds in an S.
-template <typename S, typename Field, typename T>
-Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText documentation = {}) {
-  if (documentation.comment.empty()) documentation.comment = kind.comment;
-  if (documentation.allowed.empty()) documentation.allowed = kind.allowed;
-  ReadPart<S> readPart;
-  if (kind.readPart) {
-    readPart = [field, read = kind.readPart](const ValueReader& number, std::string_view part,
-                                             S& into) {
-      auto& value = std::invoke(field, into);
-      if constexpr (std::is_same_v<decltype(value), std::optional<T>&>) {
-        read(number, part, *value);
-      } else {
-        read(number, part, value);
-      }
-    };
-  }
-  return {name,
-          [field, read = kind.read](const ValueReader& value, S& into) {
-            std::invoke(field, into) = read(value);
-          },
-          [field, text = kind.text](const S& from) -> std::string {
-            const auto& value = std::invoke(field, from);
-            if constexpr (std::is_same_v<decltype(value), const std::optional<T>&>) {
-              return value ? text(*value) : "";
-            } else {
-              return text(value);
-            }
-          },
-          std::move(documentation),
-          kind.form,
-          std::move(readPart)};
-}
-
-/// Like keyAt(), for a member of S.
-template <typename S, typename Member, typename T>
-Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind,
-           KeyText documentation = {}) {
-  return keyAt<S>(name, member, kind, std::move(documentation));
-}
+using Keys = std::span<const Key<S>>;
 
 /// Returns keys all of which affect that alone.
-template <typename S>
-Keys<S> allOf(Affects affects, Keys<S> keys) {
+template <typename S, std::size_t N>
+constexpr std::array<Key<S>, N> allOf(Affects affects, std::array<Key<S>, N> keys) {
   for (Key<S>& key : keys) key.documentation.affects = affects;
+  return keys;
+}
+
+/// Returns keys all of which are of these models.
+template <typename S, std::size_t N>
+constexpr std::array<Key<S>, N> allOf(KeyModels models, std::array<Key<S>, N> keys) {
+  for (Key<S>& key : keys) key.documentation.models = models;
   return keys;
 }
 
 /// Returns a field for each key; its value is passed to `read(key, value)`.
 template <typename S, typename Read>
-std::vector<Field> fieldsOf(const Keys<S>& keys, const Read& read) {
+std::vector<Field> fieldsOf(Keys<S> keys, const Read& read) {
   std::vector<Field> fields;
   fields.reserve(keys.size());
   for (const Key<S>& key : keys) {
@@ -126,12 +90,23 @@ std::vector<Field> fieldsOf(const Keys<S>& keys, const Read& read) {
   return fields;
 }
 
+/// Returns a field for each key, which reads it into `into`.
+template <typename S>
+std::vector<Field> fieldsInto(std::type_identity_t<S>& into, Keys<S> keys) {
+  return fieldsOf(keys,
+                  [&into](const Key<S>& key, const ValueReader& value) { key.read(value, into); });
+}
+
 /// Reads a section in the order of its text. Throws InputError.
 template <typename S>
-void readKeys(const ValueReader& section, const Keys<S>& keys, S& into) {
-  section.readTable(fieldsOf(
-      keys, [&into](const Key<S>& key, const ValueReader& value) { key.read(value, into); }));
+void readKeys(const ValueReader& section, Keys<S> keys, std::type_identity_t<S>& into) {
+  section.readTable(fieldsInto(into, keys));
 }
+
+/// Returns the allowed values as in messages: "a positive number".
+std::string allowedOf(const KeyText& key, const ValueForm& form);
+/// Returns the comment that is printed after the value; empty if there is none.
+std::string commentOf(const KeyText& key, const ValueForm& form);
 
 /// The keys that are printed.
 enum class Printed {
@@ -141,19 +116,20 @@ enum class Printed {
 
 /// Returns "KEY = VALUE  # COMMENT"; empty if there is no value to print.
 template <typename S>
-std::string lineOf(const Key<S>& key, const S& from, Printed printed = Printed::All) {
+std::string lineOf(const Key<S>& key, const std::type_identity_t<S>& from,
+                   Printed printed = Printed::All) {
   const bool isAll = printed == Printed::All;
   if (!isAll && key.documentation.affects != Affects::Motion) return "";
   const std::string text = key.text(from);
   if (text.empty()) return "";
-  const std::string& comment = key.documentation.comment;
-  return std::string(key.name) + " = " + text +
-         (isAll && !comment.empty() ? "  # " + comment : "") + "\n";
+  const std::string comment = isAll ? commentOf(key.documentation, key.form) : "";
+  return std::string(key.name) + " = " + text + (comment.empty() ? "" : "  # " + comment) + "\n";
 }
 
 /// Returns the lines of the keys.
 template <typename S>
-std::string linesOf(const Keys<S>& keys, const S& from, Printed printed = Printed::All) {
+std::string linesOf(Keys<S> keys, const std::type_identity_t<S>& from,
+                    Printed printed = Printed::All) {
   std::string lines;
   for (const Key<S>& key : keys) lines += lineOf(key, from, printed);
   return lines;
@@ -161,7 +137,7 @@ std::string linesOf(const Keys<S>& keys, const S& from, Printed printed = Printe
 
 /// Returns all keys on one line: "{ KEY = VALUE, ... }".
 template <typename S>
-std::string inlineTable(const Keys<S>& keys, const S& from) {
+std::string inlineTable(Keys<S> keys, const std::type_identity_t<S>& from) {
   std::vector<std::string> parts;
   for (const Key<S>& key : keys) {
     const std::string text = key.text(from);
@@ -175,7 +151,7 @@ KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::s
 
 /// Returns the rows of the keys; `section` is empty, or ends in a dot.
 template <typename S>
-std::vector<KeyRow> rowsOf(std::string_view section, const Keys<S>& keys) {
+std::vector<KeyRow> rowsOf(std::string_view section, Keys<S> keys) {
   std::vector<KeyRow> rows;
   for (const Key<S>& key : keys) {
     const bool isStated = key.documentation.byDefault.empty();

@@ -11,29 +11,29 @@
 namespace rotatebook::scene {
 
 /// Keys outside all sections.
-const Keys<Scene>& titleKeys();
+Keys<Scene> titleKeys();
 
-const Keys<physics::MotionSettings>& bodyKeys();
-const Keys<physics::SimulationSettings>& simulationKeys();
-const Keys<physics::InitialSpin>& initialKeys();
-const Keys<physics::Nudge>& nudgeKeys();
+Keys<physics::MotionSettings> bodyKeys();
+Keys<physics::SimulationSettings> simulationKeys();
+Keys<physics::InitialSpin> initialKeys();
+Keys<physics::Nudge> nudgeKeys();
 /// Keys of a panel itself, without its sections.
-const Keys<Panel>& panelKeys();
+Keys<Panel> panelKeys();
 
-const Keys<ClipSettings>& clipKeys();
-const Keys<EncodingSettings>& videoKeys();
-const Keys<CameraSettings>& cameraKeys();
-const Keys<BookSettings>& bookKeys();
-const Keys<LookSettings>& lookKeys();
-const Keys<OverlaySettings>& overlayKeys();
+Keys<ClipSettings> clipKeys();
+Keys<EncodingSettings> videoKeys();
+Keys<CameraSettings> cameraKeys();
+Keys<BookSettings> bookKeys();
+Keys<LookSettings> lookKeys();
+Keys<OverlaySettings> overlayKeys();
 
 /// Keys of [study].
-const Keys<StudySettings>& studyKeys();
+Keys<StudySettings> studyKeys();
 
 /// Keys of [map].
-const Keys<MapSettings>& mapKeys();
+Keys<MapSettings> mapKeys();
 
 /// Keys of [grid].
-const Keys<GridSettings>& gridKeys();
+Keys<GridSettings> gridKeys();
 
 }  // namespace rotatebook::scene

@@ -9,42 +9,49 @@ namespace {
 using document::TomlNode;
 
 constexpr double kShortestDirection = 1e-30;
+constexpr NumberRange kTiltAngles{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
+                                  Dimension::Angle};
 
 }  // namespace
 
-ValueForm integerForm(int min, int max) {
-  return {.type = ValueForm::Type::Integer,
-          .min = static_cast<double>(min),
-          .max = static_cast<double>(max)};
+std::string allowedOf(const KeyText& key, const ValueForm& form) {
+  if (!key.allowed.empty()) return std::string(key.allowed);
+  if (form.type == ValueForm::Type::Integer)
+    return document::expectedInteger(static_cast<int>(form.min), static_cast<int>(form.max));
+  if (form.type == ValueForm::Type::Text)
+    return document::expectedString(static_cast<std::size_t>(form.max));
+  if (form.type == ValueForm::Type::Choice) return quotedList(form.choices, "or");
+  return std::string(form.expected);
 }
 
-ValueForm formOf(ValueForm::Type type, const NumberRange& range) {
-  return {.type = type, .min = range.min, .max = range.max, .dimension = range.dimension};
+std::string commentOf(const KeyText& key, const ValueForm& form) {
+  if (!key.comment.empty() || form.choices.empty()) return std::string(key.comment);
+  const bool isOne = form.type == ValueForm::Type::Choice;
+  return isOne ? quotedList(form.choices, "or") : "of " + quotedList(form.choices, "and");
 }
 
-Kind<int> integer(int min, int max) {
-  return {[=](const ValueReader& value) { return value.integer(min, max); },
-          [](int value) { return std::to_string(value); }, document::expectedInteger(min, max), "",
-          integerForm(min, max)};
+int integerFrom(const ValueReader& value, const ValueForm& form) {
+  return value.integer(static_cast<int>(form.min), static_cast<int>(form.max));
 }
 
-Kind<double> number(const NumberRange& range) {
-  return {[range](const ValueReader& value) { return value.number(range); }, tomlNumber,
-          std::string(range.expected), "", formOf(ValueForm::Type::Number, range)};
+std::string integerText(int value) {
+  return std::to_string(value);
 }
 
-Kind<std::string> text(std::size_t most) {
-  return {[most](const ValueReader& value) { return value.text(most); },
-          tomlString,
-          document::expectedString(most),
-          "",
-          {.type = ValueForm::Type::Text, .max = static_cast<double>(most)}};
+double numberFrom(const ValueReader& value, const ValueForm& form) {
+  return value.number(rangeOf(form));
 }
 
-Kind<std::string> lines(std::size_t most) {
-  Kind<std::string> kind = text(most);
-  kind.read = [most](const ValueReader& value) { return value.lines(most); };
-  return kind;
+std::string textFrom(const ValueReader& value, const ValueForm& form) {
+  return value.text(static_cast<std::size_t>(form.max));
+}
+
+std::string linesFrom(const ValueReader& value, const ValueForm& form) {
+  return value.lines(static_cast<std::size_t>(form.max));
+}
+
+std::string optionalText(const std::string& text) {
+  return text.empty() ? "" : tomlString(text);
 }
 
 void readElement(const ValueReader& number, std::string_view part, const NumberRange& range,
@@ -53,6 +60,11 @@ void readElement(const ValueReader& number, std::string_view part, const NumberR
   if (!isElement)
     number.fail(number.name() + " has the numbers 0, 1 and 2, and no " + tomlString(part));
   into[part[0] - '0'] = number.number(range);
+}
+
+void readElementOf(const ValueReader& number, std::string_view part, const ValueForm& form,
+                   Eigen::Vector3d& into) {
+  readElement(number, part, rangeOf(form), into);
 }
 
 Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
@@ -69,10 +81,23 @@ Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
   return vector;
 }
 
+Eigen::Vector3d vectorOf(const ValueReader& value, const ValueForm& form) {
+  return vectorFrom(value, rangeOf(form));
+}
+
+std::string vectorText(const Eigen::Vector3d& vector) {
+  return "[" + joined({tomlNumber(vector.x()), tomlNumber(vector.y()), tomlNumber(vector.z())}) +
+         "]";
+}
+
 Eigen::Vector3d directionFrom(const ValueReader& value, const NumberRange& range) {
   const Eigen::Vector3d direction = vectorFrom(value, range);
   requireDirection(value, direction, range);
   return direction;
+}
+
+Eigen::Vector3d directionOf(const ValueReader& value, const ValueForm& form) {
+  return directionFrom(value, rangeOf(form));
 }
 
 void requireDirection(const ValueReader& value, const Eigen::Vector3d& direction,
@@ -83,68 +108,40 @@ void requireDirection(const ValueReader& value, const Eigen::Vector3d& direction
   }
 }
 
-Kind<Eigen::Vector3d> vector(const NumberRange& range) {
-  return {[range](const ValueReader& value) { return vectorFrom(value, range); },
-          vectorText,
-          std::string(range.expected),
-          "",
-          formOf(ValueForm::Type::Vector, range),
-          [range](const ValueReader& value, std::string_view part, Eigen::Vector3d& into) {
-            readElement(value, part, range, into);
-          }};
+Rgb colourFrom(const ValueReader& value) {
+  const auto* text = std::get_if<std::string>(&value.node().value);
+  const std::optional<Rgb> colour = text ? parseRgb(*text) : std::nullopt;
+  if (!colour) value.mismatch(kColours);
+  return *colour;
 }
 
-Kind<Eigen::Vector3d> direction() {
-  Kind<Eigen::Vector3d> kind = vector(kDirections);
-  kind.read = [](const ValueReader& value) { return directionFrom(value); };
-  return kind;
+std::string colourText(const Rgb& colour) {
+  return tomlString(textOf(colour));
 }
 
-Kind<Rgb> colour() {
-  constexpr const char* kColours = "\"white\", \"black\" or a colour such as \"#2b5d8a\"";
-  return {[](const ValueReader& value) {
-            const auto* text = std::get_if<std::string>(&value.node().value);
-            const std::optional<Rgb> colour = text ? parseRgb(*text) : std::nullopt;
-            if (!colour) value.mismatch(kColours);
-            return *colour;
-          },
-          [](const Rgb& colour) { return tomlString(textOf(colour)); }, kColours};
+physics::Tilt tiltFrom(const ValueReader& value) {
+  const auto parts = value.elements(2, kExpectedTilt);
+  physics::Tilt tilt;
+  readEach(parts, [&](const ValueReader& part) {
+    if (&part == &parts[0]) tilt.angle = part.number(kTiltAngles);
+    if (&part == &parts[1]) tilt.axis = choiceFrom(part, kAxes);
+  });
+  return tilt;
 }
 
-Kind<physics::Tilt> angleAboutAxis() {
-  constexpr NumberRange kAngles{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
-                                Dimension::Angle};
-  constexpr const char* kExpected =
-      "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
-  return {[=](const ValueReader& value) {
-            const auto parts = value.elements(2, kExpected);
-            physics::Tilt tilt;
-            readEach(parts, [&](const ValueReader& part) {
-              if (&part == &parts[0]) tilt.angle = part.number(kAngles);
-              if (&part == &parts[1]) tilt.axis = choiceFrom(part, kAxes);
-            });
-            return tilt;
-          },
-          [](const physics::Tilt& tilt) {
-            return "[" + tomlNumber(tilt.angle) + ", " + quotedName(kAxes, tilt.axis) + "]";
-          },
-          kExpected,
-          "",
-          {.dimension = Dimension::Angle},
-          [=](const ValueReader& number, std::string_view part, physics::Tilt& tilt) {
-            if (part == "0") {
-              tilt.angle = number.number(kAngles);
-            } else if (part == "1") {
-              tilt.axis = choiceFrom(number, kAxes);
-            } else {
-              number.mismatch(kExpected);
-            }
-          }};
+std::string tiltText(const physics::Tilt& tilt) {
+  return "[" + tomlNumber(tilt.angle) + ", " + quotedName(kAxes, tilt.axis) + "]";
 }
 
-std::string vectorText(const Eigen::Vector3d& vector) {
-  return "[" + joined({tomlNumber(vector.x()), tomlNumber(vector.y()), tomlNumber(vector.z())}) +
-         "]";
+void readTiltPart(const ValueReader& number, std::string_view part, const ValueForm& form,
+                  physics::Tilt& tilt) {
+  if (part == "0") {
+    tilt.angle = number.number(kTiltAngles);
+  } else if (part == "1") {
+    tilt.axis = choiceFrom(number, kAxes);
+  } else {
+    number.mismatch(std::string(form.expected));
+  }
 }
 
 }  // namespace rotatebook::scene

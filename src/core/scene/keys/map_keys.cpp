@@ -65,29 +65,36 @@ std::string numbersText(const std::vector<double>& numbers) {
   return listText(numbers, tomlNumber);
 }
 
-const Keys<MapColours>& colourKeys() {
-  static const Keys<MapColours> keys{
-      key("palette", &MapColours::palette, oneOf(kPalettes)),
-      {"reversed",
-       [](const ValueReader& value, MapColours& colours) {
-         const bool* flag = std::get_if<bool>(&value.node().value);
-         if (flag == nullptr) value.mismatch("true or false");
-         colours.reversed = *flag;
-       },
-       [](const MapColours& colours) { return colours.reversed ? "true" : ""; },
-       {}},
-      key("scale", &MapColours::scale, oneOf(kScales)),
-      key("from", &MapColours::from, number(kNumber)),
-      key("to", &MapColours::to, number(kNumber)),
-      {"contours",
-       [](const ValueReader& value, MapColours& colours) {
-         readEach(value.list(kExpectedContours),
-                  [&](const ValueReader& one) { colours.contours.push_back(one.number(kNumber)); });
-       },
-       [](const MapColours& colours) {
-         return colours.contours.empty() ? "" : numbersText(colours.contours);
-       },
-       {}},
+/// Returns the list; nothing of an empty one.
+std::string numbersIfAny(const std::vector<double>& numbers) {
+  return numbers.empty() ? "" : numbersText(numbers);
+}
+
+bool flagFrom(const ValueReader& value) {
+  const bool* flag = std::get_if<bool>(&value.node().value);
+  if (flag == nullptr) value.mismatch("true or false");
+  return *flag;
+}
+
+std::string flagText(bool flag) {
+  return flag ? "true" : "";
+}
+
+std::vector<double> contoursFrom(const ValueReader& value) {
+  std::vector<double> contours;
+  readEach(value.list(kExpectedContours),
+           [&](const ValueReader& one) { contours.push_back(one.number(kNumber)); });
+  return contours;
+}
+
+Keys<MapColours> colourKeys() {
+  static constexpr std::array keys{
+      choice<&MapColours::palette, kPalettes>("palette"),
+      own<&MapColours::reversed, flagFrom, flagText>("reversed", "true or false"),
+      choice<&MapColours::scale, kScales>("scale"),
+      number<&MapColours::from>("from", kNumber),
+      number<&MapColours::to>("to", kNumber),
+      own<&MapColours::contours, contoursFrom, numbersIfAny>("contours", kExpectedContours),
   };
   return keys;
 }
@@ -110,28 +117,35 @@ MapColours coloursFrom(const ValueReader& table) {
   return colours;
 }
 
-Kind<std::vector<double>> ends() {
-  return {[](const ValueReader& value) { return numbersFrom(value, 2, kExpectedEnds); },
-          [](const std::vector<double>& all) { return all.empty() ? "" : numbersText(all); },
-          kExpectedEnds};
+std::string coloursText(const MapColours& all) {
+  return inlineTable(colourKeys(), all);
 }
 
-const Keys<MapFilm>& filmKeys() {
-  static const Keys<MapFilm> keys{
-      key("x", &MapFilm::x, ends()),
-      key("y", &MapFilm::y, ends()),
-      key("duration", &MapFilm::duration, number(kFilmTimes)),
+std::vector<double> endsFrom(const ValueReader& value) {
+  return numbersFrom(value, 2, kExpectedEnds);
+}
+
+std::vector<double> pointFrom(const ValueReader& value) {
+  return numbersFrom(value, 2, kExpectedPoint);
+}
+
+Keys<MapFilm> filmKeys() {
+  static constexpr std::array keys{
+      own<&MapFilm::x, endsFrom, numbersIfAny>("x", kExpectedEnds),
+      own<&MapFilm::y, endsFrom, numbersIfAny>("y", kExpectedEnds),
+      number<&MapFilm::duration>("duration", kFilmTimes),
   };
   return keys;
 }
 
-Kind<MapFilm> film() {
-  return {[](const ValueReader& table) {
-            MapFilm one;
-            readKeys(table, filmKeys(), one);
-            return one;
-          },
-          [](const MapFilm& one) { return inlineTable(filmKeys(), one); }, kExpectedFilm};
+MapFilm filmFrom(const ValueReader& table) {
+  MapFilm one;
+  readKeys(table, filmKeys(), one);
+  return one;
+}
+
+std::string filmText(const MapFilm& one) {
+  return inlineTable(filmKeys(), one);
 }
 
 MapMark markFrom(const ValueReader& table) {
@@ -139,7 +153,7 @@ MapMark markFrom(const ValueReader& table) {
   table.readTable(
       {{"at",
         [&](const ValueReader& value) {
-          const auto point = numbersFrom(value, 2, kExpectedPoint);
+          const auto point = pointFrom(value);
           mark.x = point[0];
           mark.y = point[1];
         }},
@@ -161,44 +175,33 @@ std::string markText(const MapMark& mark) {
   return "{ " + place + ", label = " + tomlString(mark.label) + " }";
 }
 
-Kind<std::vector<MapMark>> marks() {
-  auto kind = tables<MapMark>(markFrom, markText, kExpectedMarks);
-  kind.read = [read = kind.read](const ValueReader& value) {
-    auto all = read(value);
-    if (all.size() <= kMaxMarks) return all;
-    value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
-               std::to_string(kMaxMarks));
-  };
-  return kind;
+std::vector<MapMark> marksFrom(const ValueReader& value) {
+  auto all = tablesFrom(value, kExpectedMarks, markFrom);
+  if (all.size() <= kMaxMarks) return all;
+  value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
+             std::to_string(kMaxMarks));
 }
 
-const Keys<MapExpectation>& expectationKeys() {
-  static const Keys<MapExpectation> keys{
-      key("of", &MapExpectation::of, oneOf(kOfs)),
-      key("outcome", &MapExpectation::outcome, oneOf(kOutcomes)),
-      key("over", &MapExpectation::over, number(kNumber)),
-      key("under", &MapExpectation::under, number(kNumber)),
-      key("at", &MapExpectation::at,
-          Kind<std::vector<double>>{
-              [](const ValueReader& value) { return numbersFrom(value, 2, kExpectedPoint); },
-              numbersText,
-              kExpectedPoint,
-              {}}),
-      key("panel", &MapExpectation::panel, text(kLongestLabel)),
+std::string marksText(const std::vector<MapMark>& all) {
+  return tablesText(all, markText);
+}
+
+Keys<MapExpectation> expectationKeys() {
+  static constexpr std::array keys{
+      choice<&MapExpectation::of, kOfs>("of"),
+      choice<&MapExpectation::outcome, kOutcomes>("outcome"),
+      number<&MapExpectation::over>("over", kNumber),
+      number<&MapExpectation::under>("under", kNumber),
+      own<&MapExpectation::at, pointFrom, numbersText>("at", kExpectedPoint),
+      text<&MapExpectation::panel>("panel", kLongestLabel),
   };
   return keys;
 }
 
 MapExpectation mapExpectationFrom(const ValueReader& table) {
   MapExpectation one;
-  std::vector<Field> fields = fieldsOf(
-      expectationKeys(),
-      [&](const Key<MapExpectation>& key, const ValueReader& value) { key.read(value, one); });
-  for (Field& bound : fieldsOf(boundKeys(), [&](const Key<Bounds>&key, const ValueReader&value) {
-         key.read(value, one.bounds);
-       })) {
-    fields.push_back(std::move(bound));
-  }
+  std::vector<Field> fields = fieldsInto(one, expectationKeys());
+  for (Field& bound : fieldsInto(one.bounds, boundKeys())) fields.push_back(std::move(bound));
   table.readTable(fields);
   requireKeys(table, {"of"});
   const bool isShare = one.of == Of::Share, isValue = one.of == Of::Value;
@@ -219,60 +222,72 @@ std::string mapExpectationText(const MapExpectation& one) {
   return start.substr(0, start.size() - 2) + ", " + inlineTable(boundKeys(), one.bounds).substr(2);
 }
 
+std::vector<MapExpectation> mapExpectationsFrom(const ValueReader& value) {
+  return tablesFrom(value, kExpectedMapBounds, mapExpectationFrom);
+}
+
+std::string mapExpectationsText(const std::vector<MapExpectation>& all) {
+  return tablesText(all, mapExpectationText);
+}
+
+Measure mapMeasureFrom(const ValueReader& value) {
+  return measureFrom(value, MeasureSections::Runs);
+}
+
+std::string measureText(Measure measure) {
+  return tomlString(nameOf(measure));
+}
+
+std::string mapSizeText(const MapSettings& map) {
+  return "[" + std::to_string(map.width) + ", " + std::to_string(map.height) + "]";
+}
+
 }  // namespace
 
-const Keys<MapSettings>& mapKeys() {
-  static const Keys<MapSettings> keys{
-      key("x", &MapSettings::x, pixelAxis(),
-          {.meaning = "the axis across, see [axes](vary.md#axes)", .byDefault = "required"}),
-      key("y", &MapSettings::y, pixelAxis(),
-          {.meaning = "the axis up, likewise", .byDefault = "required"}),
-      {"measure",
-       [](const ValueReader& value, MapSettings& map) {
-         map.measure = measureFrom(value, MeasureSections::Runs);
-       },
-       [](const MapSettings& map) { return tomlString(nameOf(map.measure)); },
-       {.meaning = "what the colours show, see [maps](map.md#measures)",
-        .byDefault = "required",
-        .allowed = "a quantity, such as \"half_turns\""}},
-      key("moment", &MapSettings::moment, oneOf(kMapMoments),
-          {.meaning = "at the end of each motion, or the largest value on the way"}),
-      {"size",
-       readSize,
-       [](const MapSettings& map) {
-         return "[" + std::to_string(map.width) + ", " + std::to_string(map.height) + "]";
-       },
-       {.comment = "runs, each a pixel",
-        .meaning = "runs across and up, each a pixel, up to 16384 a side",
-        .allowed = kExpectedSize}},
-      key("duration", &MapSettings::duration, number(kMapTimes),
-          {.comment = "s, length of the motions",
-           .meaning = "length of the motions, whatever the clip's",
-           .byDefault = "the clip's"}),
-      key("interval", &MapSettings::interval, number(kMapTimes),
+Keys<MapSettings> mapKeys() {
+  static constexpr std::array keys{
+      pixelAxis<&MapSettings::x>(
+          "x", {.meaning = "the axis across, see [axes](vary.md#axes)", .byDefault = "required"}),
+      pixelAxis<&MapSettings::y>("y",
+                                 {.meaning = "the axis up, likewise", .byDefault = "required"}),
+      own<&MapSettings::measure, mapMeasureFrom, measureText>(
+          "measure", "a quantity, such as \"half_turns\"",
+          {.meaning = "what the colours show, see [maps](map.md#measures)",
+           .byDefault = "required"}),
+      choice<&MapSettings::moment, kMapMoments>(
+          "moment", {.meaning = "at the end of each motion, or the largest value on the way"}),
+      keyOf<MapSettings, readSize, mapSizeText>(
+          "size", ownForm(kExpectedSize),
+          {.comment = "runs, each a pixel",
+           .meaning = "runs across and up, each a pixel, up to 16384 a side"}),
+      number<&MapSettings::duration>("duration", kMapTimes,
+                                     {.comment = "s, length of the motions",
+                                      .meaning = "length of the motions, whatever the clip's",
+                                      .byDefault = "the clip's"}),
+      number<&MapSettings::interval>(
+          "interval", kMapTimes,
           {.comment = "s from look to look",
            .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),
-      key("colors", &MapSettings::colours,
-          Kind<MapColours>{coloursFrom,
-                           [](const MapColours& all) { return inlineTable(colourKeys(), all); },
-                           kExpectedColours,
-                           {}},
+      own<&MapSettings::colours, coloursFrom, coloursText>(
+          "colors", kExpectedColours,
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
            .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`",
            .affects = Affects::Picture}),
-      key("marks", &MapSettings::marks, marks(),
+      own<&MapSettings::marks, marksFrom, marksText>(
+          "marks", kExpectedMarks,
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
            .byDefault = "none",
            .affects = Affects::Picture}),
-      key("expect", &MapSettings::expected,
-          tables<MapExpectation>(mapExpectationFrom, mapExpectationText, kExpectedMapBounds),
+      own<&MapSettings::expected, mapExpectationsFrom, mapExpectationsText>(
+          "expect", kExpectedMapBounds,
           {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
                       "value; see [expectations](vary.md#expectations)",
            .byDefault = "none",
            .affects = Affects::Text}),
-      key("film", &MapSettings::film, film(),
+      own<&MapSettings::film, filmFrom, filmText>(
+          "film", kExpectedFilm,
           {.meaning = "the part of the map that `rotatebook map --film` zooms into, and the "
                       "film's length; see [maps](map.md#films)",
            .byDefault = "none",

@@ -47,7 +47,8 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   return tensor;
 }
 
-void readMoment(const ValueReader& number, std::string_view part, Eigen::Matrix3d& tensor) {
+void readMoment(const ValueReader& number, std::string_view part, const ValueForm&,
+                Eigen::Matrix3d& tensor) {
   Eigen::Vector3d moments = tensor.diagonal();
   readElement(number, part, kMoments, moments);
   tensor.diagonal() = moments;
@@ -97,112 +98,120 @@ std::string aboutText(const physics::SpinAbout& about) {
          " }";
 }
 
-/// Returns a key of one of the kinds in which the spin S is given.
-template <typename S>
-Key<S> spinKey(physics::SpinKind kind, KeyText documentation) {
-  const bool isVelocity = kind == physics::SpinKind::AngularVelocity;
-  documentation.allowed = direction().allowed;
-  documentation.comment = isVelocity ? "rad/s" : "kg m^2/s";
-  documentation.unit = isVelocity ? "rad/s" : "kg m²/s";
-  documentation.models = kOfComputed;
-  NumberRange range = kDirections;
-  if (isVelocity) range.dimension = Dimension::AngularVelocity;
-  return {nameOf(kSpinKinds, kind),
-          [kind, range](const ValueReader& value, S& spin) {
-            spin.kind = kind;
-            if constexpr (std::is_same_v<S, InitialSpin>) {
-              spin.about.reset();
-              if (std::holds_alternative<TomlNode::Table>(value.node().value)) {
-                spin.about = aboutFrom(value, kind);
-                return;
-              }
-            }
-            if (std::holds_alternative<std::string>(value.node().value)) refuseText(value, kind);
-            spin.value = directionFrom(value, range);
-          },
-          [kind](const S& spin) -> std::string {
-            if (spin.kind != kind) return "";
-            if constexpr (std::is_same_v<S, InitialSpin>) {
-              if (spin.about) return aboutText(*spin.about);
-            }
-            return vectorText(spin.value);
-          },
-          std::move(documentation),
-          formOf(ValueForm::Type::Vector, range),
-          [range](const ValueReader& number, std::string_view part, S& spin) {
-            readElement(number, part, range, spin.value);
-            requireDirection(number, spin.value, range);
-          }};
+template <physics::SpinKind kKind, typename S>
+void readSpin(const ValueReader& value, const ValueForm& form, S& spin) {
+  spin.kind = kKind;
+  if constexpr (std::is_same_v<S, InitialSpin>) {
+    spin.about.reset();
+    if (std::holds_alternative<TomlNode::Table>(value.node().value)) {
+      spin.about = aboutFrom(value, kKind);
+      return;
+    }
+  }
+  if (std::holds_alternative<std::string>(value.node().value)) refuseText(value, kKind);
+  spin.value = directionOf(value, form);
 }
 
-std::string labelFrom(const ValueReader& value) {
-  std::string label = value.text(kLongestLabel);
+template <physics::SpinKind kKind, typename S>
+std::string spinText(const S& spin) {
+  if (spin.kind != kKind) return "";
+  if constexpr (std::is_same_v<S, InitialSpin>) {
+    if (spin.about) return aboutText(*spin.about);
+  }
+  return vectorText(spin.value);
+}
+
+template <typename S>
+void readSpinElement(const ValueReader& number, std::string_view part, const ValueForm& form,
+                     S& spin) {
+  readElement(number, part, rangeOf(form), spin.value);
+  requireDirection(number, spin.value, rangeOf(form));
+}
+
+/// Returns the row of a key of one of the kinds in which the spin S is given.
+template <physics::SpinKind kKind, typename S>
+constexpr Key<S> spinKey(KeyText documentation) {
+  constexpr bool kIsVelocity = kKind == physics::SpinKind::AngularVelocity;
+  documentation.comment = kIsVelocity ? "rad/s" : "kg m^2/s";
+  documentation.unit = kIsVelocity ? "rad/s" : "kg m²/s";
+  documentation.models = kOfComputed;
+  ValueForm form = formOf(ValueForm::Type::Vector, kDirections);
+  if (kIsVelocity) form.dimension = Dimension::AngularVelocity;
+  return {nameOf(kSpinKinds, kKind), form,          readSpin<kKind, S>,
+          spinText<kKind, S>,        documentation, readSpinElement<S>};
+}
+
+/// Returns the rows of the keys of a spin S, of which just one is stated.
+template <typename S>
+constexpr Key<S> velocityKey(std::string_view meaning) {
+  return spinKey<physics::SpinKind::AngularVelocity, S>(
+      {.meaning = meaning, .byDefault = "required, unless the next is given"});
+}
+template <typename S>
+constexpr Key<S> momentumKey(std::string_view meaning) {
+  return spinKey<physics::SpinKind::AngularMomentum, S>(
+      {.meaning = meaning, .byDefault = "required, unless the one before is given"});
+}
+
+std::string labelFrom(const ValueReader& value, const ValueForm& form) {
+  std::string label = textFrom(value, form);
   if (label.empty()) value.mismatch("a string that isn't empty");
   return label;
 }
 
 }  // namespace
 
-const Keys<MotionSettings>& bodyKeys() {
-  static const Keys<MotionSettings> keys{
-      keyAt<MotionSettings>(
-          "size", [](auto& motion) -> auto& { return motion.body.size; }, vector(kSizes),
+Keys<MotionSettings> bodyKeys() {
+  static constexpr std::array keys{
+      vector<Within<&MotionSettings::body, &physics::Cuboid::size>{}>(
+          "size", kSizes,
           {.comment = "m, along x (from the spine), y (to the top), z (to the cover)",
            .meaning = "along x, y, z"}),
-      keyAt<MotionSettings>("mass", [](auto& motion) -> auto& { return motion.body.mass; },
-                            number(kMass), {.comment = "kg", .meaning = "in all"}),
-      key("inertia", &MotionSettings::inertia,
-          Kind<Eigen::Matrix3d>{inertiaFrom, inertiaText, "", "", {}, readMoment},
+      number<Within<&MotionSettings::body, &physics::Cuboid::mass>{}>(
+          "mass", kMass, {.comment = "kg", .meaning = "in all"}),
+      own<&MotionSettings::inertia, inertiaFrom, inertiaText, readMoment>(
+          "inertia", "three moments, or a symmetric 3x3 tensor",
           {.comment = "kg m^2, in place of the solid cuboid's",
            .meaning = "about the book's axes",
            .byDefault = "the solid cuboid's",
-           .allowed = "three moments, or a symmetric 3x3 tensor",
            .unit = "kg m²",
            .models = kOfRigid}),
   };
   return keys;
 }
 
-const Keys<InitialSpin>& initialKeys() {
-  static const Keys<InitialSpin> keys{
-      spinKey<InitialSpin>(
-          physics::SpinKind::AngularVelocity,
-          {.meaning = "at the start", .byDefault = "required, unless the next is given"}),
-      spinKey<InitialSpin>(
-          physics::SpinKind::AngularMomentum,
-          {.meaning = "at the start", .byDefault = "required, unless the one before is given"}),
-      key("tilt", &InitialSpin::tilt, angleAboutAxis(),
-          {.comment = "rad, and the axis toward which the spin is turned",
-           .meaning = "turns the vector given above toward the axis",
-           .byDefault = "none",
-           .models = kOfComputed}),
+Keys<InitialSpin> initialKeys() {
+  static constexpr std::array keys{
+      velocityKey<InitialSpin>("at the start"),
+      momentumKey<InitialSpin>("at the start"),
+      angleAboutAxis<&InitialSpin::tilt>(
+          "tilt", {.comment = "rad, and the axis toward which the spin is turned",
+                   .meaning = "turns the vector given above toward the axis",
+                   .byDefault = "none",
+                   .models = kOfComputed}),
   };
   return keys;
 }
 
-const Keys<physics::Nudge>& nudgeKeys() {
-  static const Keys<physics::Nudge> keys{
-      key("at", &physics::Nudge::at, number(kNudgeTimes),
-          {.comment = "s, of simulated time",
-           .meaning = "when, of simulated time",
-           .byDefault = "required",
-           .models = kOfComputed}),
-      spinKey<physics::Nudge>(physics::SpinKind::AngularVelocity,
-                              {.meaning = "what is added to the spin",
-                               .byDefault = "required, unless the next is given"}),
-      spinKey<physics::Nudge>(physics::SpinKind::AngularMomentum,
-                              {.meaning = "what is added to it",
-                               .byDefault = "required, unless the one before is given"}),
-      key("axes", &physics::Nudge::axes, oneOf(kNudgeAxes),
-          {.meaning = "the axes that it is along, at that moment", .models = kOfComputed}),
+Keys<physics::Nudge> nudgeKeys() {
+  static constexpr std::array keys{
+      number<&physics::Nudge::at>("at", kNudgeTimes,
+                                  {.comment = "s, of simulated time",
+                                   .meaning = "when, of simulated time",
+                                   .byDefault = "required",
+                                   .models = kOfComputed}),
+      velocityKey<physics::Nudge>("what is added to the spin"),
+      momentumKey<physics::Nudge>("what is added to it"),
+      choice<&physics::Nudge::axes, kNudgeAxes>(
+          "axes", {.meaning = "the axes that it is along, at that moment", .models = kOfComputed}),
   };
   return keys;
 }
 
-const Keys<Panel>& panelKeys() {
-  static const Keys<Panel> keys{
-      key("label", &Panel::label,
-          Kind<std::string>{labelFrom, tomlString, document::expectedString(kLongestLabel)},
+Keys<Panel> panelKeys() {
+  static constexpr std::array keys{
+      key<&Panel::label, labelFrom, tomlString>(
+          "label", textForm(kLongestLabel),
           {.meaning = "shown in the picture and the report, and part of the CSV file's name",
            .byDefault = "required",
            .affects = Affects::Text}),

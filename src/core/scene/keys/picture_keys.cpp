@@ -45,10 +45,10 @@ std::string textureFrom(const ValueReader& value) {
   return texture;
 }
 
-Key<BookSettings> textureKey(std::string_view name, std::string BookSettings::*texture,
-                             const std::string& comment = "") {
-  return key(name, texture, Kind<std::string>{textureFrom, tomlString, kTextures},
-             {.comment = comment, .meaning = "a PNG, JPEG or WebP"});
+template <auto kTexture>
+constexpr Key<BookSettings> textureKey(std::string_view name, std::string_view comment = "") {
+  return own<kTexture, textureFrom, tomlString>(
+      name, kTextures, {.comment = comment, .meaning = "a PNG, JPEG or WebP"});
 }
 
 void readBackground(const ValueReader& value, LookSettings& look) {
@@ -153,119 +153,125 @@ std::string wordsText(const Words& words) {
 
 }  // namespace
 
-const Keys<Scene>& titleKeys() {
-  static const Keys<Scene> keys = allOf<Scene>(
-      Affects::Text, {
-                         key("title", &Scene::title, text(kLongestTitle),
-                             {.meaning = "stored in the clip, shown by the overlay `caption`",
-                              .byDefault = "the file's name"}),
-                         key("caption", &Scene::caption, lines(kLongestCaption),
-                             {.meaning = "likewise", .byDefault = "empty"}),
-                     });
-  return keys;
-}
-
-const Keys<EncodingSettings>& videoKeys() {
-  static const Keys<EncodingSettings> keys = allOf<EncodingSettings>(
-      Affects::Picture,
-      {
-          key("crf", &EncodingSettings::crf, integer(kBestCrf, kWorstCrf),
-              {.comment = "1 to 51, smaller is better and takes more space",
-               .meaning = "x264's rate factor; smaller is better, in larger files"}),
-          key("preset", &EncodingSettings::preset,
-              Kind<std::string>{presetFrom, tomlString, kExpectedPresets},
-              {.comment = kExpectedPresets, .meaning = "`\"book\"` is made for these clips"}),
-          key("threads", &EncodingSettings::threads, integer(1, kMaxThreads),
-              {.comment = "encoder threads; another number gives other bytes"}),
+Keys<Scene> titleKeys() {
+  static constexpr auto keys = allOf(
+      Affects::Text,
+      std::array{
+          text<&Scene::title>("title", kLongestTitle,
+                              {.meaning = "stored in the clip, shown by the overlay `caption`",
+                               .byDefault = "the file's name"}),
+          lines<&Scene::caption>("caption", kLongestCaption,
+                                 {.meaning = "likewise", .byDefault = "empty"}),
       });
   return keys;
 }
 
-const Keys<CameraSettings>& cameraKeys() {
-  static const Keys<CameraSettings> keys = allOf<CameraSettings>(
+Keys<EncodingSettings> videoKeys() {
+  static constexpr auto keys =
+      allOf(Affects::Picture,
+            std::array{
+                integer<&EncodingSettings::crf>(
+                    "crf", kBestCrf, kWorstCrf,
+                    {.comment = "1 to 51, smaller is better and takes more space",
+                     .meaning = "x264's rate factor; smaller is better, in larger files"}),
+                own<&EncodingSettings::preset, presetFrom, tomlString>(
+                    "preset", kExpectedPresets,
+                    {.comment = kExpectedPresets, .meaning = "`\"book\"` is made for these clips"}),
+                integer<&EncodingSettings::threads>(
+                    "threads", 1, kMaxThreads,
+                    {.comment = "encoder threads; another number gives other bytes"}),
+            });
+  return keys;
+}
+
+Keys<CameraSettings> cameraKeys() {
+  static constexpr auto keys = allOf(
       Affects::Picture,
-      {
-          key("position", &CameraSettings::position, vector(kPoints),
+      std::array{
+          vector<&CameraSettings::position>(
+              "position", kPoints,
               {.comment = "m",
                .meaning = "where it is",
                .byDefault = "such that the whole book is seen in any attitude"}),
-          key("target", &CameraSettings::target, vector(kPoints),
-              {.comment = "m, the point in the middle of the picture",
-               .meaning = "the point in the middle of the picture",
-               .byDefault = "the origin"}),
-          key("up", &CameraSettings::up, direction(),
-              {.meaning = "the direction that is up in the picture", .byDefault = "+y"}),
-          key("field_of_view_deg", &CameraSettings::fieldOfViewDeg, number(kAngles),
+          vector<&CameraSettings::target>("target", kPoints,
+                                          {.comment = "m, the point in the middle of the picture",
+                                           .meaning = "the point in the middle of the picture",
+                                           .byDefault = "the origin"}),
+          direction<&CameraSettings::up>(
+              "up", {.meaning = "the direction that is up in the picture", .byDefault = "+y"}),
+          number<&CameraSettings::fieldOfViewDeg>(
+              "field_of_view_deg", kAngles,
               {.comment = "degrees, from bottom to top",
                .meaning = "from the picture's bottom to its top",
                .unit = "degrees"}),
-          key("frame", &CameraSettings::frame, oneOf(kFrames),
-              {.meaning = "the reference frame that the camera turns with"}),
-          key("follow", &CameraSettings::follow, oneOf(kFollows),
-              {.meaning = "size: the camera draws back when the body grows"}),
-          key("fit", &CameraSettings::fit, oneOf(kFits),
+          choice<&CameraSettings::frame, kFrames>(
+              "frame", {.meaning = "the reference frame that the camera turns with"}),
+          choice<&CameraSettings::follow, kFollows>(
+              "follow", {.meaning = "size: the camera draws back when the body grows"}),
+          choice<&CameraSettings::fit, kFits>(
+              "fit",
               {.meaning =
                    "each: in panels each body is seen from a distance in proportion to its size"}),
       });
   return keys;
 }
 
-const Keys<BookSettings>& bookKeys() {
-  static const Keys<BookSettings> keys = allOf<BookSettings>(
-      Affects::Picture, {
-                            textureKey("front", &BookSettings::front, kTextures),
-                            textureKey("spine", &BookSettings::spine),
-                            textureKey("back", &BookSettings::back),
-                            key("color", &BookSettings::colour, colour(),
-                                {.comment = "of plain cloth on the sides that are \"builtin\"",
-                                 .meaning = "of plain cloth on the sides that are `\"builtin\"`",
-                                 .byDefault = "that of the built-in pictures"}),
-                        });
+Keys<BookSettings> bookKeys() {
+  static constexpr auto keys =
+      allOf(Affects::Picture,
+            std::array{
+                textureKey<&BookSettings::front>("front", kTextures),
+                textureKey<&BookSettings::spine>("spine"),
+                textureKey<&BookSettings::back>("back"),
+                colour<&BookSettings::colour>(
+                    "color", {.comment = "of plain cloth on the sides that are \"builtin\"",
+                              .meaning = "of plain cloth on the sides that are `\"builtin\"`",
+                              .byDefault = "that of the built-in pictures"}),
+            });
   return keys;
 }
 
-const Keys<LookSettings>& lookKeys() {
-  static const Keys<LookSettings> keys = allOf<LookSettings>(
+Keys<LookSettings> lookKeys() {
+  static constexpr auto keys = allOf(
       Affects::Picture,
-      {
-          {"background",
-           readBackground,
-           backgroundText,
-           {.comment = kBackgroundTexts,
-            .meaning = "transparent: PNGs with an alpha channel; of a colour: flat",
-            .allowed = kBackgroundTexts}},
-          key("supersample", &LookSettings::supersample, integer(1, kMaxSupersample),
+      std::array{
+          keyOf<LookSettings, readBackground, backgroundText>(
+              "background", ownForm(kBackgroundTexts),
+              {.comment = kBackgroundTexts,
+               .meaning = "transparent: PNGs with an alpha channel; of a colour: flat"}),
+          integer<&LookSettings::supersample>(
+              "supersample", 1, kMaxSupersample,
               {.comment = "1, or 2 to draw with twice as many pixels across and down",
                .meaning = "2 draws twice as many pixels across and down, in four times the time",
                .allowed = "1 or 2"}),
-          key("motion_blur", &LookSettings::motionBlur,
-              Kind<int>{momentsFrom, [](int moments) { return std::to_string(moments); },
-                        kBlurMoments},
-              {.comment = "moments averaged in a picture: " + std::string(kBlurMoments),
+          own<&LookSettings::motionBlur, momentsFrom, integerText>(
+              "motion_blur", kBlurMoments,
+              {.comment = "moments averaged in a picture: 1, 2, 4, 8 or 16",
                .meaning = "number of moments averaged in a picture"}),
       });
   return keys;
 }
 
-const Keys<OverlaySettings>& overlayKeys() {
-  static const Keys<OverlaySettings> keys = allOf<OverlaySettings>(
-      Affects::Picture,
-      {
-          key("show", &OverlaySettings::show,
-              Kind<std::vector<Overlay>>{overlaysFrom, overlaysText, {}},
-              {.comment = "of " + quotedList(namesOf(kOverlays), "and"),
-               .meaning = "drawn over the pictures",
-               .allowed = "a list of [overlays](panels-and-overlays.md#overlays)"}),
-          key("font", &OverlaySettings::font, text(kLongestName),
-              {.comment = "\"builtin\" or an installed family",
-               .meaning = "the built-in font is Inter",
-               .allowed = "\"builtin\" or an installed family"}),
-          key("scale", &OverlaySettings::scale, number(kOverlayScales),
-              {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
-          key("words", &OverlaySettings::words, Kind<Words>{wordsFrom, wordsText, kExpectedWords},
-              {.comment = "\"english\", \"german\", a table or the file of one",
-               .meaning = "the words that pictures show, and their `decimal_mark`"}),
-      });
+Keys<OverlaySettings> overlayKeys() {
+  static constexpr auto keys =
+      allOf(Affects::Picture,
+            std::array{
+                key<&OverlaySettings::show, overlaysFrom, overlaysText>(
+                    "show", {.choices = kNamesOf<kOverlays>},
+                    {.meaning = "drawn over the pictures",
+                     .allowed = "a list of [overlays](panels-and-overlays.md#overlays)"}),
+                text<&OverlaySettings::font>("font", kLongestName,
+                                             {.comment = "\"builtin\" or an installed family",
+                                              .meaning = "the built-in font is Inter",
+                                              .allowed = "\"builtin\" or an installed family"}),
+                number<&OverlaySettings::scale>(
+                    "scale", kOverlayScales,
+                    {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
+                own<&OverlaySettings::words, wordsFrom, wordsText>(
+                    "words", kExpectedWords,
+                    {.comment = "\"english\", \"german\", a table or the file of one",
+                     .meaning = "the words that pictures show, and their `decimal_mark`"}),
+            });
   return keys;
 }
 

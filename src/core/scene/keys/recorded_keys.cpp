@@ -49,65 +49,68 @@ std::string wordFrom(const ValueReader& value) {
   return std::string(kWords[value.choice(kWords)]);
 }
 
-/// Texts of which an empty one isn't printed.
-Kind<std::string> optionalText(std::string (*read)(const ValueReader&), std::string allowed) {
-  return {read, [](const std::string& one) { return one.empty() ? "" : tomlString(one); },
-          std::move(allowed)};
+std::string biasText(const Eigen::Vector3d& bias) {
+  return bias.isZero(0) ? "" : vectorText(bias);
 }
 
-/// Returns a key of the recording that a motion is taken from.
-template <typename Field, typename T>
-Key<SimulationSettings> recordedKey(std::string_view name, Field field, const Kind<T>& kind,
-                                    KeyText documentation) {
-  documentation.models = kOfRecorded;
-  return keyAt<SimulationSettings>(
-      name, [field](auto& settings) -> auto& { return settings.recorded.*field; }, kind,
-      std::move(documentation));
+/// A member of the recording that a motion is taken from.
+template <auto kMember>
+constexpr Within<&SimulationSettings::recorded, kMember> kRecorded{};
+
+/// One of a few words; none is printed as nothing.
+template <auto kMember, const auto& kWords>
+constexpr auto word(std::string_view name, const char* expected, const KeyText& documentation) {
+  return own<kRecorded<kMember>, wordFrom<kWords>, optionalText>(name, expected, documentation);
+}
+
+/// A text, of which an empty one isn't printed.
+template <auto kMember>
+constexpr auto optional(std::string_view name, std::size_t most, const KeyText& documentation) {
+  return key<kRecorded<kMember>, textFrom, optionalText>(name, textForm(most), documentation);
 }
 
 }  // namespace
 
-const Keys<SimulationSettings>& recordedKeys() {
-  static const Keys<SimulationSettings> keys{
-      recordedKey("file", &RecordedFile::file,
-                  optionalText([](const ValueReader& value) { return value.text(kLongestPath); },
-                               "a path relative to the scene's folder"),
-                  {.meaning = "a table (CSV), see [recorded motion](recorded.md)",
-                   .byDefault = "required for `\"recorded\"`"}),
-      recordedKey("columns", &RecordedFile::columns,
-                  Kind<Columns>{columnsFrom, columnsText,
-                                "a table such as { time = \"t\", wx = \"Gyro X\" }"},
-                  {.meaning = "the names of columns without a usual one",
-                   .byDefault = "[usual names](recorded.md#columns)"}),
-      recordedKey(
-          "time_unit", &RecordedFile::timeUnit,
-          optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\", \"ns\" or \"min\""),
-          {.meaning = "the unit of the file's times", .byDefault = "the header's"}),
-      recordedKey("rates", &RecordedFile::rates,
-                  optionalText(wordFrom<recording::kRateUnits>, "\"rad/s\" or \"deg/s\""),
-                  {.meaning = "the unit of a gyroscope's rates", .byDefault = "the header's"}),
-      recordedKey("rates_along", &RecordedFile::ratesAlong,
-                  optionalText(wordFrom<recording::kRateAxes>, "\"world\" or \"body\""),
-                  {.meaning = "whose axes the rates beside attitudes are along",
-                   .byDefault = "`\"body\"` for a gyroscope's columns, `\"world\"` for others"}),
-      recordedKey("from", &RecordedFile::from, number(kFileTimes),
-                  {.meaning = "where the motion starts, of the file's times",
-                   .byDefault = "the first row"}),
-      recordedKey("to", &RecordedFile::to, number(kFileTimes),
-                  {.meaning = "where it ends, likewise", .byDefault = "the last row"}),
-      recordedKey(
-          "bias", &RecordedFile::bias,
-          Kind<Eigen::Vector3d>{
-              [](const ValueReader& value) { return vectorFrom(value, kBias); },
-              [](const Eigen::Vector3d& bias) { return bias.isZero(0) ? "" : vectorText(bias); },
-              std::string(kBias.expected)},
-          {.meaning = "subtracted from a gyroscope's rates", .byDefault = "none", .unit = "rad/s"}),
-      recordedKey(
-          "checksum", &RecordedFile::checksum,
-          optionalText([](const ValueReader& value) { return value.text(kLongestName); },
-                       "32 hexadecimal digits"),
-          {.meaning = "XXH128 of the file, which must have it", .byDefault = "that of the file"}),
-  };
+Keys<SimulationSettings> recordedKeys() {
+  static constexpr auto keys = allOf(
+      kOfRecorded,
+      std::array{
+          optional<&RecordedFile::file>(
+              "file", kLongestPath,
+              {.meaning = "a table (CSV), see [recorded motion](recorded.md)",
+               .byDefault = "required for `\"recorded\"`",
+               .allowed = "a path relative to the scene's folder"}),
+          own<kRecorded<&RecordedFile::columns>, columnsFrom, columnsText>(
+              "columns", "a table such as { time = \"t\", wx = \"Gyro X\" }",
+              {.meaning = "the names of columns without a usual one",
+               .byDefault = "[usual names](recorded.md#columns)"}),
+          word<&RecordedFile::timeUnit, recording::kTimeUnits>(
+              "time_unit", "\"s\", \"ms\", \"us\", \"ns\" or \"min\"",
+              {.meaning = "the unit of the file's times", .byDefault = "the header's"}),
+          word<&RecordedFile::rates, recording::kRateUnits>(
+              "rates", "\"rad/s\" or \"deg/s\"",
+              {.meaning = "the unit of a gyroscope's rates", .byDefault = "the header's"}),
+          word<&RecordedFile::ratesAlong, recording::kRateAxes>(
+              "rates_along", "\"world\" or \"body\"",
+              {.meaning = "whose axes the rates beside attitudes are along",
+               .byDefault = "`\"body\"` for a gyroscope's columns, `\"world\"` for others"}),
+          number<kRecorded<&RecordedFile::from>>(
+              "from", kFileTimes,
+              {.meaning = "where the motion starts, of the file's times",
+               .byDefault = "the first row"}),
+          number<kRecorded<&RecordedFile::to>>(
+              "to", kFileTimes,
+              {.meaning = "where it ends, likewise", .byDefault = "the last row"}),
+          key<kRecorded<&RecordedFile::bias>, vectorOf, biasText>(
+              "bias", {.min = kBias.min, .max = kBias.max, .expected = kBias.expected},
+              {.meaning = "subtracted from a gyroscope's rates",
+               .byDefault = "none",
+               .unit = "rad/s"}),
+          optional<&RecordedFile::checksum>("checksum", kLongestName,
+                                            {.meaning = "XXH128 of the file, which must have it",
+                                             .byDefault = "that of the file",
+                                             .allowed = "32 hexadecimal digits"}),
+      });
   return keys;
 }
 

@@ -6,6 +6,6 @@
 
 namespace rotatebook::scene {
 
-const Keys<physics::SimulationSettings>& recordedKeys();
+Keys<physics::SimulationSettings> recordedKeys();
 
 }  // namespace rotatebook::scene

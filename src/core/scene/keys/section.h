@@ -28,15 +28,15 @@ struct Section {
 /// Returns the section whose keys are read into what `part` finds in an Owner. `finish` checks them
 /// together.
 template <typename Owner, typename S, typename Part>
-Section<Owner> section(std::string_view name, Part part, const Keys<S>& keys,
+Section<Owner> section(std::string_view name, Part part, Keys<S> keys,
                        void (*finish)(const ValueReader&, S&) = nullptr) {
   return {name,
-          [=, &keys](const ValueReader& value, Owner& owner) {
+          [=](const ValueReader& value, Owner& owner) {
             S& into = std::invoke(part, owner);
             readKeys(value, keys, into);
             if (finish != nullptr) finish(value, into);
           },
-          [=, &keys](const Owner& owner, Printed printed) {
+          [=](const Owner& owner, Printed printed) {
             const S& from = std::invoke(part, owner);
             return linesOf(keys, from, printed);
           },

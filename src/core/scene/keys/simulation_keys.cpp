@@ -21,7 +21,7 @@ using document::TomlNode;
 using physics::SimulationSettings;
 
 // Squares and inverses of these are finite, too.
-constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
+constexpr NumberRange kFrameTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
 constexpr NumberRange kSteps{"a time from 1e-9 to 1e9 s", 1e-9, 1e9, Dimension::Time};
 constexpr int kMaxInterval = 1'000'000'000;
 constexpr const char* kExpectedEvery = "true, false or a table such as { every = 100 }";
@@ -55,29 +55,35 @@ int everyStepFrom(const ValueReader& value) {
   return every;
 }
 
+std::string everyStepText(int every) {
+  if (every > 1) return "{ every = " + std::to_string(every) + " }";
+  return every == 1 ? "true" : "false";
+}
+
+void readEvery(const ValueReader& steps, std::string_view part, const ValueForm&, int& every) {
+  if (part != "every") steps.mismatch(kExpectedEvery);
+  every = steps.integer(1, kMaxInterval);
+}
+
 /// Numbers of steps from one correction to the next; 0 for none.
-Kind<int> everyStep() {
-  return {everyStepFrom,
-          [](int every) -> std::string {
-            if (every > 1) return "{ every = " + std::to_string(every) + " }";
-            return every == 1 ? "true" : "false";
-          },
-          kExpectedEvery,
-          "",
-          {.hasWholeParts = true},
-          [](const ValueReader& steps, std::string_view part, int& every) {
-            if (part != "every") steps.mismatch(kExpectedEvery);
-            every = steps.integer(1, kMaxInterval);
-          }};
+template <auto kMember>
+constexpr auto everyStep(std::string_view name, const KeyText& documentation) {
+  return key<kMember, everyStepFrom, everyStepText, readEvery>(
+      name, {.expected = kExpectedEvery, .hasWholeParts = true}, documentation);
 }
 
 void readTimePerFrame(const ValueReader& value, SimulationSettings& settings) {
-  settings.timePerFrame = value.number(kStepTimes);
+  settings.timePerFrame = value.number(kFrameTimes);
   settings.substepped.reset();
 }
 
 std::string timePerFrameText(const SimulationSettings& settings) {
   return settings.substepped ? "" : tomlNumber(settings.timePerFrame);
+}
+
+void readSubsteps(const ValueReader& value, SimulationSettings& settings) {
+  settings.substeps = value.integer(1, kMaxSubsteps);
+  settings.step.reset();
 }
 
 std::string substepsText(const SimulationSettings& settings) {
@@ -105,94 +111,72 @@ physics::ParticleSettings arrangementFrom(const ValueReader& value) {
   return {choiceFrom(value, kArrangements)};
 }
 
-/// Places of particles.
-Kind<physics::ParticleSettings> arrangement() {
-  return {arrangementFrom,
-          [](const physics::ParticleSettings& settings) {
-            if (settings.arrangement != physics::Arrangement::Grid)
-              return quotedName(kArrangements, settings.arrangement);
-            return tomlString(std::string(kGrid) + std::to_string(settings.cells));
-          },
-          kExpectedArrangement};
+std::string arrangementText(const physics::ParticleSettings& settings) {
+  if (settings.arrangement != physics::Arrangement::Grid)
+    return quotedName(kArrangements, settings.arrangement);
+  return tomlString(std::string(kGrid) + std::to_string(settings.cells));
 }
 
-Keys<SimulationSettings> joinedKeys(Keys<SimulationSettings> keys,
-                                    const Keys<SimulationSettings>& others) {
-  keys.insert(keys.end(), others.begin(), others.end());
-  return keys;
-}
-
-/// Returns the keys of the steps' length.
-Keys<SimulationSettings> stepKeys() {
-  return {
-      {"time_per_frame",
-       readTimePerFrame,
-       timePerFrameText,
-       {.comment = "s simulated for each frame of video",
-        .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
-        .byDefault = "as `clip.speed` says",
-        .allowed = std::string(kStepTimes.expected)},
-       formOf(ValueForm::Type::Number, kStepTimes)},
-      {"substeps",
-       [](const ValueReader& value, SimulationSettings& settings) {
-         settings.substeps = value.integer(1, kMaxSubsteps);
-         settings.step.reset();
-       },
-       substepsText,
-       {.comment = "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
-        .meaning = "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
-        .allowed = document::expectedInteger(1, kMaxSubsteps),
-        .models = kOfStepwise},
-       integerForm(1, kMaxSubsteps)},
-      key("step", &SimulationSettings::step, number(kSteps),
-          {.comment = "s, length of an integration step",
-           .meaning = "length of an integration step, in place of `substeps`",
-           .byDefault = "as `substeps` says",
-           .models = kOfStepwise}),
-  };
-}
+constexpr std::array kOwnKeys{
+    choice<&SimulationSettings::model, kModels>("model", {.meaning = "see [models](motion.md)"}),
+    keyOf<SimulationSettings, readIntegrator, integratorText>(
+        "integrator", ownForm("one of the model's integrators"),
+        {.meaning = "see [integrators](motion.md#integrators)",
+         .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
+         .models = kOfStepwise}),
+    everyStep<&SimulationSettings::normalizeEvery>(
+        "normalize",
+        {.comment = "undo the integrator's drift after each step, or after each n-th",
+         .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)",
+         .models = kOfStepwise}),
+    everyStep<&SimulationSettings::normalizeEnergyEvery>(
+        "normalize_energy", {.meaning = "scale the velocities to the energy at the start",
+                             .byDefault = "as `normalize`",
+                             .models = kOfParticles}),
+    everyStep<&SimulationSettings::removeDriftEvery>(
+        "remove_drift", {.meaning = "bring the centre of mass to rest at the origin",
+                         .byDefault = "as `normalize`",
+                         .models = kOfParticles}),
+    number<&SimulationSettings::damping>("damping", kFactors,
+                                         {.comment = "particles: fraction of critical damping",
+                                          .meaning = "of each spring, as a fraction of 2√(km)",
+                                          .models = kOfParticles}),
+    number<&SimulationSettings::stiffness>("stiffness", kPositive,
+                                           {.comment = "particles: N/m, of each spring",
+                                            .meaning = "of each spring",
+                                            .unit = "N/m",
+                                            .models = kOfParticles}),
+    own<&SimulationSettings::particles, arrangementFrom, arrangementText>(
+        "particles", kExpectedArrangement,
+        {.comment = "particles: where they are",
+         .meaning = "where they are, see [bodies](bodies.md#particles)",
+         .models = kOfParticles}),
+    keyOf<SimulationSettings, readTimePerFrame, timePerFrameText>(
+        "time_per_frame", formOf(ValueForm::Type::Number, kFrameTimes),
+        {.comment = "s simulated for each frame of video",
+         .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
+         .byDefault = "as `clip.speed` says"}),
+    keyOf<SimulationSettings, readSubsteps, substepsText>(
+        "substeps", integerForm(1, kMaxSubsteps),
+        {.comment = "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
+         .meaning = "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
+         .models = kOfStepwise}),
+    number<&SimulationSettings::step>(
+        "step", kSteps,
+        {.comment = "s, length of an integration step",
+         .meaning = "length of an integration step, in place of `substeps`",
+         .byDefault = "as `substeps` says",
+         .models = kOfStepwise}),
+};
 
 }  // namespace
 
-const Keys<SimulationSettings>& simulationKeys() {
-  static const Keys<SimulationSettings> keys = joinedKeys(
-      {
-          key("model", &SimulationSettings::model, oneOf(kModels),
-              {.meaning = "see [models](motion.md)"}),
-          {"integrator",
-           readIntegrator,
-           integratorText,
-           {.meaning = "see [integrators](motion.md#integrators)",
-            .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
-            .allowed = "one of the model's integrators",
-            .models = kOfStepwise}},
-          key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
-              {.comment = "undo the integrator's drift after each step, or after each n-th",
-               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)",
-               .models = kOfStepwise}),
-          key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
-              {.meaning = "scale the velocities to the energy at the start",
-               .byDefault = "as `normalize`",
-               .models = kOfParticles}),
-          key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
-              {.meaning = "bring the centre of mass to rest at the origin",
-               .byDefault = "as `normalize`",
-               .models = kOfParticles}),
-          key("damping", &SimulationSettings::damping, number(kFactors),
-              {.comment = "particles: fraction of critical damping",
-               .meaning = "of each spring, as a fraction of 2√(km)",
-               .models = kOfParticles}),
-          key("stiffness", &SimulationSettings::stiffness, number(kPositive),
-              {.comment = "particles: N/m, of each spring",
-               .meaning = "of each spring",
-               .unit = "N/m",
-               .models = kOfParticles}),
-          key("particles", &SimulationSettings::particles, arrangement(),
-              {.comment = "particles: where they are",
-               .meaning = "where they are, see [bodies](bodies.md#particles)",
-               .models = kOfParticles}),
-      },
-      joinedKeys(stepKeys(), recordedKeys()));
+Keys<SimulationSettings> simulationKeys() {
+  static const auto keys = [] {
+    std::vector<Key<SimulationSettings>> all(kOwnKeys.begin(), kOwnKeys.end());
+    all.insert(all.end(), recordedKeys().begin(), recordedKeys().end());
+    return all;
+  }();
   return keys;
 }
 

@@ -75,31 +75,30 @@ double partDensityFrom(const ValueReader& value) {
   return density;
 }
 
-const auto kReadLater = [](const ValueReader&, auto&) {};
+/// Of keys that are read together with others.
+template <typename S>
+void readLater(const ValueReader&, S&) {}
 
-const Keys<BodyPart>& partKeys() {
-  static const Keys<BodyPart> keys{
-      {"shape",
-       kReadLater,
-       [](const BodyPart& part) { return tomlString(part.shape); },
-       {.meaning = "a shape of those above, but for the book",
-        .byDefault = "required",
-        .allowed = "the name of a shape"}},
-      {"dimensions",
-       kReadLater,
-       lengthsText,
-       {.meaning = "its lengths",
-        .byDefault = "the shape's",
-        .allowed = kExpectedLengths,
-        .unit = "m"}},
-      key("density", &BodyPart::density,
-          Kind<double>{partDensityFrom, tomlNumber, std::string(kPartDensities.expected)},
+std::string shapeText(const BodyPart& part) {
+  return tomlString(part.shape);
+}
+
+Keys<BodyPart> partKeys() {
+  static constexpr std::array keys{
+      keyOf<BodyPart, readLater<BodyPart>, shapeText>(
+          "shape", ownForm("the name of a shape"),
+          {.meaning = "a [shape](bodies.md#shapes), but for the book", .byDefault = "required"}),
+      keyOf<BodyPart, readLater<BodyPart>, lengthsText>(
+          "dimensions", ownForm(kExpectedLengths),
+          {.meaning = "its lengths", .byDefault = "the shape's", .unit = "m"}),
+      own<&BodyPart::density, partDensityFrom, tomlNumber>(
+          "density", kPartDensities.expected,
           {.meaning = "negative for what is taken away",
            .byDefault = "the shape's",
            .unit = "kg/m³"}),
-      key("place", &BodyPart::place, vector(kPlaces), {.meaning = "of the shape's origin"}),
-      key("turn", &BodyPart::turn, angleAboutAxis(),
-          {.meaning = "before it is moved to its place", .byDefault = "none"}),
+      vector<&BodyPart::place>("place", kPlaces, {.meaning = "of the shape's origin"}),
+      angleAboutAxis<&BodyPart::turn>(
+          "turn", {.meaning = "before it is moved to its place", .byDefault = "none"}),
   };
   return keys;
 }
@@ -127,11 +126,6 @@ std::string partsText(const Solid& solid) {
   return listText(solid.parts, [](const BodyPart& part) { return inlineTable(partKeys(), part); });
 }
 
-/// Returns the part of a single shape; null for another solid.
-const BodyPart* shapeOf(const Solid& solid) {
-  return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
-}
-
 /// Reads the numbers of meshText().
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
@@ -157,68 +151,56 @@ MeshFile meshFrom(const ValueReader& value) {
   return mesh;
 }
 
-Key<Solid> meshKey() {
-  return {"mesh",
-          [](const ValueReader& value, Solid& solid) {
-            const double unit = solid.mesh.unit;
-            solid.mesh = meshFrom(value);
-            solid.mesh.unit = unit;
-          },
-          [](const Solid& solid) { return solid.mesh.name.empty() ? "" : meshText(solid.mesh); },
-          {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
-           .byDefault = "none",
-           .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
+void readMesh(const ValueReader& value, Solid& solid) {
+  const double unit = solid.mesh.unit;
+  solid.mesh = meshFrom(value);
+  solid.mesh.unit = unit;
 }
 
-Key<Solid> unitKey() {
-  Key<Solid> key =
-      keyAt<Solid>("unit", [](auto& solid) -> auto& { return solid.mesh.unit; }, oneOf(kMeshUnits),
-                   {.meaning = "of the mesh's lengths", .byDefault = "`\"m\"`"});
-  // Of other bodies, no unit is printed.
-  key.text = [text = key.text](const Solid& solid) {
-    return solid.mesh.name.empty() ? std::string() : text(solid);
-  };
-  return key;
+std::string meshTextOf(const Solid& solid) {
+  return solid.mesh.name.empty() ? "" : meshText(solid.mesh);
 }
 
-/// Returns the text of a solid's key, of shapes alone.
-template <typename Text>
-auto ofShape(const Text& text) {
-  return [text](const Solid& solid) {
-    const BodyPart* shape = shapeOf(solid);
-    return shape != nullptr ? text(*shape) : std::string();
-  };
+void readUnit(const ValueReader& value, Solid& solid) {
+  solid.mesh.unit = choiceFrom(value, kMeshUnits);
+}
+
+/// Returns the unit of a mesh; nothing of other bodies.
+std::string unitText(const Solid& solid) {
+  return solid.mesh.name.empty() ? "" : quotedName(kMeshUnits, solid.mesh.unit);
+}
+
+/// Returns what kText returns of the part of a single shape; nothing of other solids.
+template <auto kText>
+std::string textOfShape(const Solid& solid) {
+  const bool isIt = solid.isShape && solid.parts.size() == 1;
+  return isIt ? kText(solid.parts.front()) : "";
 }
 
 }  // namespace
 
-const Keys<Solid>& solidKeys() {
-  static const Keys<Solid> keys{
-      {"shape",
-       kReadLater,
-       ofShape([](const BodyPart& part) { return tomlString(part.shape); }),
-       {.meaning = "see [bodies](bodies.md)",
-        .byDefault = "`\"book\"`",
-        .allowed = quotedList(shapeNames(), "or")}},
-      {"dimensions",
-       kReadLater,
-       ofShape(lengthsText),
-       {.meaning = "of the shape",
-        .byDefault = "the shape's",
-        .allowed = kExpectedLengths,
-        .unit = "m"}},
-      meshKey(),
-      unitKey(),
-      key("density", &Solid::density, number(kDensities),
-          {.meaning = "of a shape or a mesh, in place of `mass`",
-           .byDefault = "the shape's",
-           .unit = "kg/m³"}),
-      {"part",
-       readParts,
-       partsText,
-       {.meaning = "tables `[[body.part]]`, shapes that add up",
-        .byDefault = "none",
-        .allowed = kExpectedParts}},
+Keys<Solid> solidKeys() {
+  static constexpr std::array keys{
+      keyOf<Solid, readLater<Solid>, textOfShape<shapeText>>(
+          "shape", ownForm("\"book\" or the name of a shape"),
+          {.meaning = "a [shape](bodies.md#shapes)", .byDefault = "`\"book\"`"}),
+      keyOf<Solid, readLater<Solid>, textOfShape<lengthsText>>(
+          "dimensions", ownForm(kExpectedLengths),
+          {.meaning = "of the shape", .byDefault = "the shape's", .unit = "m"}),
+      keyOf<Solid, readMesh, meshTextOf>(
+          "mesh", ownForm("the name of a file: .obj, .stl, .ply or .glb"),
+          {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
+           .byDefault = "none"}),
+      keyOf<Solid, readUnit, unitText>(
+          "unit", {.type = ValueForm::Type::Choice, .choices = kNamesOf<kMeshUnits>},
+          {.meaning = "of the mesh's lengths", .byDefault = "`\"m\"`"}),
+      number<&Solid::density>("density", kDensities,
+                              {.meaning = "of a shape or a mesh, in place of `mass`",
+                               .byDefault = "the shape's",
+                               .unit = "kg/m³"}),
+      keyOf<Solid, readParts, partsText>(
+          "part", ownForm(kExpectedParts),
+          {.meaning = "tables `[[body.part]]`, shapes that add up", .byDefault = "none"}),
   };
   return keys;
 }

@@ -11,7 +11,7 @@ namespace rotatebook::scene {
 
 /// The keys, but for the mass, which the book has, too. `shape` and `dimensions` are read together,
 /// by readStatedShape().
-const Keys<Solid>& solidKeys();
+Keys<Solid> solidKeys();
 /// The documentation of the keys of a part.
 const std::vector<KeyRow>& partRows();
 

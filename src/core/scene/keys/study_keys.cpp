@@ -38,31 +38,32 @@ std::string measuresText(const std::vector<Measure>& measures) {
 
 }  // namespace
 
-const Keys<StudySettings>& studyKeys() {
-  static const Keys<StudySettings> keys{
-      key("x", &StudySettings::x, valueAxis(),
-          {.meaning = "the key that each run has another value of, see [axes](vary.md#axes)",
-           .byDefault = "`simulation.substeps`, 1, 2, 4 ... 1024"}),
-      key("curves", &StudySettings::curves, valueAxis(),
-          {.meaning = "a second key: one curve for each of its values",
-           .byDefault = "without `measure`, all of the model's integrators"}),
-      key("measure", &StudySettings::measures,
-          Kind<std::vector<Measure>>{measuresFrom, measuresText, kExpectedMeasures},
+Keys<StudySettings> studyKeys() {
+  static constexpr std::array keys{
+      valueAxis<&StudySettings::x>(
+          "x", {.meaning = "the key that each run has another value of, see [axes](vary.md#axes)",
+                .byDefault = "`simulation.substeps`, 1, 2, 4 ... 1024"}),
+      valueAxis<&StudySettings::curves>(
+          "curves", {.meaning = "a second key: one curve for each of its values",
+                     .byDefault = "without `measure`, all of the model's integrators"}),
+      own<&StudySettings::measures, measuresFrom, measuresText>(
+          "measure", kExpectedMeasures,
           {.meaning = "one to three of the [measures](map.md#measures)",
            .byDefault = "`[\"order\"]`"}),
-      key("expect", &StudySettings::expected, kStudyExpectations.kind(),
+      placedExpectations<&StudySettings::expected, kStudyExpectations>(
+          "expect",
           {.meaning = "[bounds](vary.md#expectations) on all runs, or on those with an `x` or on a "
                       "`curve`",
            .byDefault = "none",
            .affects = Affects::Text}),
-      key("duration", &StudySettings::duration, number(kStudyTimes),
-          {.comment = "s, length of the motions",
-           .meaning = "length of the motions, whatever the clip's",
-           .byDefault = "the clip's"}),
-      key("interval", &StudySettings::interval, number(kStudyTimes),
-          {.comment = "s from sample to sample",
-           .meaning = "time from sample to sample, whatever the steps",
-           .byDefault = "that from frame to frame"}),
+      number<&StudySettings::duration>("duration", kStudyTimes,
+                                       {.comment = "s, length of the motions",
+                                        .meaning = "length of the motions, whatever the clip's",
+                                        .byDefault = "the clip's"}),
+      number<&StudySettings::interval>("interval", kStudyTimes,
+                                       {.comment = "s from sample to sample",
+                                        .meaning = "time from sample to sample, whatever the steps",
+                                        .byDefault = "that from frame to frame"}),
   };
   return keys;
 }

@@ -233,6 +233,20 @@ double spinOf(Readings flight) {
   return std::sqrt(sum / static_cast<double>(flight.size()));
 }
 
+/// Returns that no gyroscope measures these rates; empty if one may. A factor of the rates isn't
+/// told by the fit: it makes another body.
+std::string rangeNote(const std::vector<Rate>& rates) {
+  constexpr double kRange = 80;  // of the fastest gyroscopes, 4000 deg/s, and a little more [rad/s]
+  double largest = 0;
+  for (const Rate& rate : rates)
+    largest = std::max(largest, rate.angularVelocity.cwiseAbs().maxCoeff());
+  if (largest <= kRange) return "";
+  return "the rates reach " + degreesASecond(largest) +
+         ", more than gyroscopes measure: if they are raw counts or in another unit, the ratios "
+         "are "
+         "wrong";
+}
+
 /// Returns the fit to the readings of a flight.
 TossFit fitFlight(const InertialRecording& recording, const std::string& name, Range range) {
   Rest rest = restBefore(Readings(recording.readings).first(range.first));
@@ -256,8 +270,10 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
   result.to = recording.zero + flight.back().rate.time;
   result.readings = flight.size();
   result.spin = spinOf(flight);
-  if (const std::string note = gapNote(rates, recording.zero, true); !note.empty())
-    result.notes.push_back(note);
+  const std::string beyond = recording.isMeasured ? rangeNote(rates) : "";
+  for (const std::string& note : {gapNote(rates, recording.zero, true), beyond}) {
+    if (!note.empty()) result.notes.push_back(note);
+  }
 
   const Linear linear = solveLinear(flight);
   result.gap = linear.gap;

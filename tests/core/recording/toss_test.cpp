@@ -16,7 +16,9 @@ namespace rotatebook::recording {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::Not;
 
 const double kRatios[2] = {kBook[1] / kBook[2], kBook[0] / kBook[2]};
@@ -218,6 +220,22 @@ TEST(Toss, RefusesARecordingWithoutAFlight) {
             "t.csv: the flight has 7 readings, but at least 10 are needed; state another with "
             "--from and --to");
   EXPECT_GT(fitToss(recording, "t.csv", {.from = 5.25, .to = 5.95}).gap, kSmallestGap);
+}
+
+TEST(Toss, NotesRatesThatNoGyroscopeMeasures) {
+  const auto notesOf = [](double spin) {
+    const rigid::ExactRotation motion({kBook}, spin * Eigen::Vector3d(1, 0.1, 0.05));
+    InertialRecording recording;
+    for (int i = 0; i < 500; ++i) {
+      const double time = i * 0.02 / spin;
+      const Eigen::Vector3d noise(std::sin(37.0 * i), std::sin(53.0 * i), std::sin(71.0 * i));
+      recording.readings.push_back({{time, motion.angularVelocityBodyAt(time) + 1e-3 * noise}});
+    }
+    return fitToss(recording, "t.csv", {.from = 0}).notes;
+  };
+  EXPECT_THAT(notesOf(10), IsEmpty());
+  EXPECT_THAT(notesOf(100), ElementsAre(HasSubstr("more than gyroscopes measure: if they are raw "
+                                                  "counts or in another unit, the ratios are")));
 }
 
 }  // namespace

@@ -57,26 +57,32 @@ double turnDegOf(const std::vector<Sample>& means, const std::vector<Sample>& ex
   return std::ranges::max(compared(means, isNoisy ? first : exact).turnDeg);
 }
 
-/// Returns whether as many half-turns are made as are due, or one is just being made at the end.
-bool makesDueHalfTurns(const Verdict& verdict, const Sample& last) {
-  const int made = verdict.halfTurns, due = verdict.halfTurnsDue;
-  const double fromLimit = std::min(std::fabs(last.tiltDeg - physics::kNearTiltDeg),
-                                    std::fabs(last.tiltDeg - physics::kFarTiltDeg));
-  const bool isOneOff = made == due + 1 || made + 1 == due;
-  return made == due || (isOneOff && fromLimit < 2 * kAgreesDeg);
-}
-
 /// Returns the angle that L may turn by without a reason. [degrees]
 double turnBoundDeg(const Changes& changes) {
   return 2 * kAgreesDeg + changes.ofASample * kDegreesInRadian;
 }
 
+/// Returns whether as many half-turns are made as are due, or one is just being made at the start
+/// or the end, to a tilt within what L may turn by.
+bool makesDueHalfTurns(const Verdict& verdict, const Changes& changes,
+                       const std::vector<Sample>& samples) {
+  const int made = verdict.halfTurns, due = verdict.halfTurnsDue;
+  const bool isOneOff = made == due + 1 || made + 1 == due;
+  const auto isAtLimit = [&](const Sample& sample) {
+    const double fromLimit = std::min(std::fabs(sample.tiltDeg - physics::kNearTiltDeg),
+                                      std::fabs(sample.tiltDeg - physics::kFarTiltDeg));
+    return fromLimit < turnBoundDeg(changes);
+  };
+  return made == due || (isOneOff && (isAtLimit(samples.front()) || isAtLimit(samples.back())));
+}
+
 /// Returns whether all is the exact motion's, to `noiseDeg` of the attitudes.
-bool agrees(const Verdict& verdict, const Changes& changes, const Sample& last, double noiseDeg) {
+bool agrees(const Verdict& verdict, const Changes& changes, const std::vector<Sample>& samples,
+            double noiseDeg) {
   constexpr double kSigmas = 5;
   return verdict.errorDeg < kAgreesDeg + kSigmas * noiseDeg && changes.keepEnergy() &&
          changes.keepMomentum() && verdict.momentumTurnDeg < turnBoundDeg(changes) &&
-         makesDueHalfTurns(verdict, last);
+         makesDueHalfTurns(verdict, changes, samples);
 }
 
 /// Returns the error of motions that go one way, or nothing of those that come back.
@@ -97,7 +103,7 @@ std::optional<Errs> trendOf(const Changes& changes) {
 
 Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sample>& samples,
             const std::vector<Sample>& exact, double noiseDeg) {
-  if (agrees(verdict, changes, samples.back(), noiseDeg)) return Errs::Hardly;
+  if (agrees(verdict, changes, samples, noiseDeg)) return Errs::Hardly;
   // A spin that the exact motion keeps, too, tells nothing.
   constexpr double kMoves = 0.02, kClearly = 4;
   const auto motions = inner(samples, verdict), exactOnes = inner(exact, verdict);
@@ -176,8 +182,7 @@ std::optional<Verdict> fitted(const FittedStart& start, const MotionSettings& mo
   const double noiseDeg = setErrors(comparison, samples, exact);
   takeMeasures(comparison, exact, verdict);
   verdict.errs = Errs::HardlyAsFitted;
-  if (!agrees(verdict, changesIn(comparison, verdict), samples.back(), noiseDeg))
-    return std::nullopt;
+  if (!agrees(verdict, changesIn(comparison, verdict), samples, noiseDeg)) return std::nullopt;
   return verdict;
 }
 

@@ -112,6 +112,20 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
   EXPECT_EQ(verdictOnText(textOf(exactBook(10), kAttitudesAlone)).errs, Errs::HardlyAsFitted);
 }
 
+TEST(VerdictOnRecordings, NoiseMakesNoFlip) {
+  const Eigen::Vector3d moments{0.0053132, 0.0046304, 0.0028877};
+  physics::MotionSettings motion = exactBook();
+  motion.inertia = moments.asDiagonal();
+  motion.initial.value = {-3.1083, -1.9114, -1.7279};  // Tilted by 117 degrees: 120 count as far.
+  Table table = kAttitudesAlone;
+  table.noise = 0.003;  // 0.17 degrees [rad]
+  table.seconds = 6;
+  for (table.seed = 1; table.seed <= 20; ++table.seed) {
+    const Verdict verdict = verdictOnText(textOf(motion, table), moments);
+    EXPECT_EQ(verdict.errs, Errs::HardlyAsFitted) << table.seed << ": " << methodThat(verdict);
+  }
+}
+
 TEST(VerdictOnRecordings, AttitudesWithNoiseAreToBeFartherApart) {
   Table noisy = kAttitudesAlone;
   noisy.noise = 0.004;  // of attitudes, 0.23 degrees [rad]

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Cholesky>
@@ -133,6 +134,32 @@ bool stepDamped(Readings flight, double unreached, Parameters& p, double& error)
   return false;
 }
 
+/// Returns the readings of the first turn, or all if there are no three.
+std::size_t firstTurnIn(Readings flight) {
+  constexpr double kTurn = 6.3;  // [rad]
+  std::size_t first = flight.size();
+  double turned = 0;
+  for (std::size_t i = 1; i < flight.size(); ++i) {
+    const double step = flight[i].rate.time - flight[i - 1].rate.time;
+    turned += step * flight[i].rate.angularVelocity.norm();
+    if (turned > kTurn && first == flight.size()) first = i;
+  }
+  return turned > 3 * kTurn ? first : flight.size();
+}
+
+/// Returns a start for a long flight, by fits to its first turn and to half as much more each time,
+/// as a motion that isn't near is soon far; nothing of a short one.
+std::optional<Parameters> grownStart(Readings flight) {
+  std::size_t count = firstTurnIn(flight);
+  if (count == flight.size() || count <= kParameters) return std::nullopt;
+  const Readings first = flight.first(count);
+  Parameters p = parametersOf(solveLinear(first).tensor, first.front().rate.angularVelocity);
+  if (!isFollowed(first, p)) return std::nullopt;
+  for (; count < flight.size(); count += count / 2)
+    p = fitFreeSpin(flight.first(count), p, Eigen::Vector3d::Zero()).parameters;
+  return p;
+}
+
 }  // namespace
 
 Eigen::Matrix3d tensorOf(const Parameters& p) {
@@ -259,11 +286,18 @@ FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& bi
 FreeSpinFit nearestFreeSpin(Readings flight, const Parameters& start,
                             const Eigen::Vector3d& biasVariance, double noise) {
   constexpr double kMuch = 3, kLess = 0.9;
+  constexpr double kPart = 1e-3;  // of the spin, where the noise isn't known
+  const double enough = std::max(kMuch * noise, kPart * start.tail<3>().norm());
   FreeSpinFit fit = fitFreeSpin(flight, start, biasVariance);
-  if (fit.residual <= kMuch * noise) return fit;
-  const Parameters ball = parametersOf(Eigen::Matrix3d::Identity(), start.tail<3>());
-  const FreeSpinFit other = fitFreeSpin(flight, ball, biasVariance);
-  return other.residual < kLess * fit.residual ? other : fit;
+  const auto take = [&](const Parameters& from) {
+    const FreeSpinFit other = fitFreeSpin(flight, from, biasVariance);
+    if (other.residual < kLess * fit.residual) fit = other;
+  };
+  if (fit.residual > enough) take(parametersOf(Eigen::Matrix3d::Identity(), start.tail<3>()));
+  if (fit.residual > enough) {
+    if (const auto grown = grownStart(flight)) take(*grown);
+  }
+  return fit;
 }
 
 }  // namespace rotatebook::recording

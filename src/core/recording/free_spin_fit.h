@@ -64,8 +64,9 @@ struct FreeSpinFit {
 /// rates of an axis alike. [rad^2/s^2]
 FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance);
 
-/// Fits likewise from `start` and, where that leaves more than three times the noise, from a ball:
-/// the fit that leaves less. [rad/s]
+/// Fits likewise from `start` and, where that leaves more than three times the noise and than a
+/// thousandth of the spin, from a ball, and of three turns or more by fits to parts that grow: the
+/// fit that leaves least. [rad/s]
 FreeSpinFit nearestFreeSpin(Readings flight, const Parameters& start,
                             const Eigen::Vector3d& biasVariance, double noise);
 

@@ -222,6 +222,23 @@ TEST(Toss, RefusesARecordingWithoutAFlight) {
   EXPECT_GT(fitToss(recording, "t.csv", {.from = 5.25, .to = 5.95}).gap, kSmallestGap);
 }
 
+// In orbit, say: a motion that isn't near is soon far.
+TEST(Toss, FollowsALongFlight) {
+  const rigid::ExactRotation motion({kBook}, Eigen::Vector3d(8, 0.2, 0.3));
+  InertialRecording recording;
+  for (int i = 0; i < 2500; ++i) {
+    const Eigen::Vector3d noise(std::sin(37.0 * i), std::sin(53.0 * i), std::sin(71.0 * i));
+    recording.readings.push_back(
+        {{i * 0.02, motion.angularVelocityBodyAt(i * 0.02) + 4e-3 * noise}});
+  }
+  for (const TossOptions& options : {TossOptions{}, TossOptions{.from = 0}}) {
+    const TossFit fit = fitToss(recording, "t.csv", options);
+    EXPECT_GT(fit.to - fit.from, 49);
+    EXPECT_NEAR(fit.ratios[0].value, kBook[1] / kBook[2], 1e-6);  // measured 5e-8
+    EXPECT_NEAR(fit.ratios[1].value, kBook[0] / kBook[2], 1e-6);
+  }
+}
+
 TEST(Toss, NotesRatesThatNoGyroscopeMeasures) {
   const auto notesOf = [](double spin) {
     const rigid::ExactRotation motion({kBook}, spin * Eigen::Vector3d(1, 0.1, 0.05));

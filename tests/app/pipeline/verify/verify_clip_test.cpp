@@ -210,6 +210,19 @@ TEST(VerifyClip, ProvesLettersInAFineClip) {
   EXPECT_TRUE(proved(verifyClip(folder / "small.mp4", {.allFrames = true})));
 }
 
+// The letters stand still, and are coded finely; the shade of the book isn't.
+TEST(VerifyClip, ProvesALetteredWebMOfManyFrames) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene =
+      smallScene({"title='A book thrown about its middle axis'", "clip.size=[640, 360]",
+                  "clip.fps=240", "clip.duration=0.1", "camera.position=[0, 0, 1.5]",
+                  "caption='Spun one degree off that axis, it turns over again and again. Nothing "
+                  "touches it.'",
+                  "overlay.show=['caption']"});
+  testing::render(scene, {.folder = folder, .outputs = outputsOf(false, {VideoFormat::WebM})});
+  EXPECT_TRUE(proved(verifyClip(folder / "small.webm", {.allFrames = true})));
+}
+
 // Little changes and few edges show: pictures are copied, and seem to be shifted.
 TEST(VerifyClip, ProvesATinyBook) {
   const auto isProved = [](std::vector<std::string> settings, VideoFormat format) {

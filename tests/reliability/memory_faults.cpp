@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstdlib>
 #include <link.h>
+#include <map>
+#include <mutex>
 #include <new>
 #include <span>
 #include <string_view>
@@ -55,12 +57,22 @@ const Code& loadedCode() {
   return code;
 }
 
-/// Returns whether it is a function of a stream: they report no failure, and leave the rest out.
-bool isOfStream(void* frame) {
+bool isNamedLikeAStream(void* frame) {
   Dl_info info;
   if (dladdr(frame, &info) == 0 || info.dli_sname == nullptr) return false;
   const std::string_view name = info.dli_sname;
   return name.find("stream") != name.npos || name.find("num_get") != name.npos;
+}
+
+/// Returns whether it is a function of a stream: they report no failure, and leave the rest out.
+/// Each is looked up once, as that takes long.
+bool isOfStream(void* frame) {
+  static auto& mutex = *new std::mutex;  // Never destroyed: libraries go on until the end.
+  static auto& known = *new std::map<void*, bool>;
+  const std::lock_guard lock(mutex);
+  const auto [found, isNew] = known.try_emplace(frame);
+  if (isNew) found->second = isNamedLikeAStream(frame);
+  return found->second;
 }
 
 struct Stack {
@@ -80,6 +92,8 @@ _Unwind_Reason_Code addFrame(_Unwind_Context* context, void* data) {
 /// isn't the program's own.
 long placeOfRequest(const void* caller) {
   const Code& code = loadedCode();
+  // Most requests are of the driver's compiler, and following the calls takes long.
+  if (!code.program.contains(caller) && !code.standardLibrary.contains(caller)) return 0;
   Stack stack;
   _Unwind_Backtrace(addFrame, &stack);
   std::span<void*> frames(stack.frames.data(), stack.count);

@@ -188,7 +188,7 @@ std::vector<Point> ArrowLabels::meanAround(std::int64_t frame, const ArrowsAt& a
   return sum;
 }
 
-void ArrowLabels::write(Canvas& canvas, std::int64_t frame, const ArrowsAt& arrowsAt,
+void ArrowLabels::place(std::int64_t frame, const ArrowsAt& arrowsAt,
                         const std::vector<Box>& alsoTaken) {
   arrows_ = arrowsAt(frame);
   placed_.clear();
@@ -204,6 +204,9 @@ void ArrowLabels::write(Canvas& canvas, std::int64_t frame, const ArrowsAt& arro
     placed_.push_back(*found);
   }
   std::ranges::sort(placed_, {}, &Placed::arrow);
+}
+
+void ArrowLabels::write(Canvas& canvas) const {
   for (const Placed& one : placed_) {
     canvas.write(*arrows_[one.arrow].letter, {one.box.x, one.box.y});
   }

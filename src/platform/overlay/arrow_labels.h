@@ -57,7 +57,7 @@ using ArrowsAt = std::function<std::vector<LabelledArrow>(std::int64_t frame)>;
 /// while they pass.
 class ArrowLabels {
  public:
-  /// A letter that was written.
+  /// A letter that found its place.
   struct Placed {
     Box box;            ///< Without the halo, see boxOf().
     Box ink;            ///< Its visible pixels, halo included.
@@ -69,14 +69,15 @@ class ArrowLabels {
   /// and how many frames before and after the drawn one are averaged, `reach` >= 0.
   ArrowLabels(const Box& picture, std::vector<Box> taken, std::int64_t last, std::int64_t reach);
 
-  /// Writes the letters of `frame`, none of them in `alsoTaken`; letters without room are left out.
+  /// Places the letters of `frame`, none of them in `alsoTaken`; letters without room are left out.
   /// `arrowsAt` must be the same for each call until forget().
-  void write(Canvas& canvas, std::int64_t frame, const ArrowsAt& arrowsAt,
-             const std::vector<Box>& alsoTaken = {});
+  void place(std::int64_t frame, const ArrowsAt& arrowsAt, const std::vector<Box>& alsoTaken = {});
+  /// Writes the letters that were placed last.
+  void write(Canvas& canvas) const;
   /// Clears the cached positions of other frames.
   void forget() { best_.clear(); }
 
-  /// The arrows of the last frame that was written, and its letters.
+  /// The arrows of the last frame whose letters were placed, and these.
   const std::vector<LabelledArrow>& arrows() const { return arrows_; }
   const std::vector<Placed>& placed() const { return placed_; }
 

@@ -131,25 +131,25 @@ struct MotionOverlays::Parts {
     canvas.forgetTexts();
     for (const auto& overlay : inWorld) overlay->draw(view);
     for (const auto& overlay : insets) overlay->draw(view);
-    std::vector<Box> noticed;
-    if (ended && notice) {
-      canvas.lay(*notice, picture);
-      noticed = notice->texts;
+    if (ended && notice) canvas.lay(*notice, picture);
+    if (!scene.textless) {
+      placeLetters(frame, ended, clipFromWorld);
+      labels.write(canvas);
     }
-    if (!scene.textless) writeLetters(frame, clipFromWorld, noticed);
     canvas.layOver(picture);
   }
 
-  void writeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
-                    const std::vector<Box>& noticed) {
+  /// Places letters of a frame of the motion, or of one after it has `ended`, beside the notice.
+  void placeLetters(std::int64_t frame, bool ended, const Eigen::Matrix4d& clipFromWorld) {
     // The near and far planes follow the body; the rest changes only if the camera does.
     Eigen::Matrix<double, 3, 4> projection;
     projection << clipFromWorld.topRows<2>(), clipFromWorld.bottomRows<1>();
     if (projection != lettersProjection) labels.forget();
     lettersProjection = projection;
     const Projector projector(clipFromWorld, scale.width, scale.height);
-    labels.write(
-        canvas, frame, [&](std::int64_t n) { return arrowsAt(n, projector); }, noticed);
+    labels.place(
+        frame, [&](std::int64_t n) { return arrowsAt(n, projector); },
+        ended && notice ? notice->texts : std::vector<Box>{});
   }
 
   std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
@@ -216,7 +216,10 @@ double energyChartTop(const physics::Trajectory& trajectory) {
   return energyTop(trajectory);
 }
 
-const ArrowLabels& MotionOverlays::labels() const {
+const ArrowLabels& MotionOverlays::placeLetters(std::int64_t frame,
+                                                const Eigen::Matrix4d& clipFromWorld) {
+  const auto count = static_cast<std::int64_t>(parts_->trajectory.samples.size());
+  parts_->placeLetters(std::min(frame, count - 1), frame >= count, clipFromWorld);
   return parts_->labels;
 }
 

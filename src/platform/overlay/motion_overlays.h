@@ -62,8 +62,8 @@ class MotionOverlays {
 
   /// Returns a box for each text that the last draw() drew. [pixels]
   const std::vector<Box>& texts() const;
-  /// Returns the arrows that the last draw() drew, and their letters.
-  const ArrowLabels& labels() const;
+  /// Places the letters of arrows as draw() does, and draws nothing.
+  const ArrowLabels& placeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld);
 
  private:
   struct Parts;

@@ -50,7 +50,8 @@ std::vector<ArrowLabels::Placed> placed(const std::vector<ArrowShape>& arrows,
   Canvas canvas(200, 200);
   const Layer letter = letterOf(10, 12);
   ArrowLabels labels(kPicture, taken, 0, 0);
-  labels.write(canvas, 0, [&](std::int64_t) { return labelled(arrows, letter, side); });
+  labels.place(0, [&](std::int64_t) { return labelled(arrows, letter, side); });
+  labels.write(canvas);
   EXPECT_EQ(canvas.texts().size(), labels.placed().size());
   return labels.placed();
 }
@@ -144,11 +145,10 @@ TEST(ArrowLabels, GlideToTheOtherSideWhileAnArrowPasses) {
   };
   const auto pathOf = [&](std::int64_t reach, bool forward) {
     ArrowLabels labels(kPicture, {}, 19, reach);
-    Canvas canvas(200, 200);
     std::vector<double> path(20);
     for (std::int64_t i = 0; i < 20; ++i) {
       const std::int64_t frame = forward ? i : 19 - i;
-      labels.write(canvas, frame, arrowsAt);
+      labels.place(frame, arrowsAt);
       path[static_cast<std::size_t>(frame)] = labels.placed()[1].box.x;
     }
     return path;
@@ -195,11 +195,10 @@ class Clip {
   Seen seen() {
     Seen seen;
     Frame last;
-    image::Image picture = testing::greyPicture(scene_);
     const Eigen::Matrix4d clip = testing::clipFromWorld(scene_, overlays_.bottomRows());
     for (std::size_t n = 0; n < trajectory_.samples.size(); ++n) {
-      overlays_.draw(static_cast<std::int64_t>(n), clip, picture);
-      Frame frame{overlays_.labels().arrows(), overlays_.labels().placed()};
+      const ArrowLabels& labels = overlays_.placeLetters(static_cast<std::int64_t>(n), clip);
+      Frame frame{labels.arrows(), labels.placed()};
       add(frame, last, seen);
       last = std::move(frame);
     }

@@ -145,16 +145,21 @@ void take(Descriptor& descriptor, std::string& text) {
   }
 }
 
+bool isTimeForSignal(const ChildSettings& settings, const std::string& error) {
+  if (settings.signalWhen) return settings.signalWhen();
+  return !settings.signalUpon.empty() && error.find(settings.signalUpon) != error.npos;
+}
+
 void readAll(Descriptor& output, Descriptor& error, const Child& child,
              const ChildSettings& settings, ChildResult& result) {
   const Clock::time_point deadline = Clock::now() + settings.timeout;
-  bool signalDue = settings.signalWhen != nullptr;
+  bool signalDue = settings.signal != 0;
   while (output.number() >= 0 || error.number() >= 0) {
     std::array<pollfd, 2> watched{{{output.number(), POLLIN, 0}, {error.number(), POLLIN, 0}}};
     poll(watched.data(), watched.size(), kPollInterval);
     if (watched[0].revents != 0) take(output, result.output);
     if (watched[1].revents != 0) take(error, result.error);
-    if (signalDue && settings.signalWhen()) {
+    if (signalDue && isTimeForSignal(settings, result.error)) {
       child.send(settings.signal);
       signalDue = false;
     }

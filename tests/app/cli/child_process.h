@@ -23,6 +23,7 @@ struct ChildSettings {
   std::optional<long> largestFile{};   ///< Writing beyond this fails with EFBIG. [bytes]
   std::optional<long> stack{};         ///< Growing beyond this ends it. [bytes]
   std::function<bool()> signalWhen{};  ///< Asked again and again until it says yes, ...
+  std::string signalUpon{};            ///< Or until its standard error has this, ...
   int signal = 0;                      ///< ... which sends this signal.
   std::chrono::seconds timeout{120};   ///< After which it is killed.
 };

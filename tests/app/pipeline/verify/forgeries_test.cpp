@@ -51,7 +51,7 @@ class ForgedClips {
 
   Excess excess(const PictureForgery& forgery, video::VideoFormat format,
                 const std::string& preset = "book") const {
-    const fs::path path = fs::path(ROTATEBOOK_TEST_OUTPUT) / "forged.video";
+    const fs::path path = testing::emptyFolder() / "forged.video";
     write(forgery, format, preset, path);
     video::ClipReader reader(path);
     Excess excess{.smallest = std::numeric_limits<double>::infinity()};

@@ -107,7 +107,7 @@ std::string runJson(const StudyRow& row, const StudySettings& study) {
 std::string studyJson(const StudiedScene& studied) {
   const StudySettings& study = *studied.scene.study;
   const study::Study result = studied.result.value_or(study::Study{});
-  return JsonObject()
+  return resultOf("study")
       .addString("name", studied.scene.name)
       .addString("title", studied.scene.title)
       .addString("scene_xxh128", studied.checksum)

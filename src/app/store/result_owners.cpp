@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
 #include "store/fingerprint.h"
@@ -18,7 +19,6 @@
 #include "system/file_checksum.h"
 #include "system/program_mark.h"
 #include "system/read_file.h"
-#include "timeline/clip_json.h"
 #include "timeline/clip_tables.h"
 #include "video/clip_reader.h"
 
@@ -55,19 +55,14 @@ bool isArrayOfMap(const MapFiles& map) {
   return made.npy.empty() || made.npy == system::checksumOfFile(map.npy);
 }
 
-bool isMapJson(const fs::path& json) {
-  const study::MapChecksums made = study::checksumsIn(system::readFileOrEmpty(json));
-  return !made.fingerprint.empty() && !made.npy.empty();
-}
-
-bool isStudyJson(const fs::path& json) {
-  const std::string text = system::readFileOrEmpty(json);
-  return text.starts_with("{\"name\": ") && text.find("\"runs\": [") != text.npos;
+/// Returns whether a file is the result of a command, by its beginning.
+bool isResult(std::string_view kind, const fs::path& json) {
+  return isResultOf(kind, headerOf(json));
 }
 
 bool isOfMap(const MapFiles& map, const fs::path& file) {
   const std::vector<fs::path> all = allOf(map);
-  if (std::ranges::find(all, file) == all.end() || !isMapJson(map.json)) return false;
+  if (std::ranges::find(all, file) == all.end() || !isResult("map", map.json)) return false;
   return file != map.csv || study::isMapHeader(headerOf(file));
 }
 
@@ -87,11 +82,6 @@ bool isFilm(const fs::path& file) {
 /// Returns whether a file is the table of a clip's motion or grid, by its header.
 bool isTable(const fs::path& csv) {
   return timeline::isTableHeader(headerOf(csv));
-}
-
-/// Returns whether a file is the result of a clip, by its beginning.
-bool isResult(const fs::path& json) {
-  return headerOf(json).starts_with(timeline::kClipJsonHead);
 }
 
 /// Returns whether files of this ending hold records.
@@ -167,7 +157,7 @@ void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& 
   for (const fs::path& file : outputs) {
     if (!isFile(file)) continue;
     const bool isKnown = file.extension() == ".csv"    ? isTable(file)
-                         : file.extension() == ".json" ? isResult(file)
+                         : file.extension() == ".json" ? isResult("clip", file)
                          : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
                                                        : system::hasProgramMark(file);
     if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;
@@ -183,7 +173,7 @@ void refuseNoResultsOfMap(const MapFiles& files) {
                      "another folder with -o");
   };
   refuse(files.csv, study::isMapHeader(headerOf(files.csv)));
-  refuse(files.json, isMapJson(files.json));
+  refuse(files.json, isResult("map", files.json));
   if (isFile(files.npy)) refuse(files.npy, isArrayOfMap(files));
   for (const fs::path& file : files.plots) refuse(file, system::hasProgramMark(file));
   refuse(files.plain, system::hasProgramMark(files.plain));
@@ -193,7 +183,7 @@ void refuseNoResultsOfStudy(const StudyFiles& files, const std::string& remedy) 
   for (const fs::path& file : allOf(files)) {
     if (!isFile(file)) continue;
     const bool isKnown = file == files.csv    ? study::isStudyHeader(headerOf(file))
-                         : file == files.json ? isStudyJson(file)
+                         : file == files.json ? isResult("study", file)
                                               : system::hasProgramMark(file);
     if (!isKnown) throw InputError(file.string() + " was left by no study, and " + remedy);
   }

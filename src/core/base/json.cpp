@@ -48,4 +48,14 @@ JsonObject& JsonObject::addBool(std::string_view key, bool value) {
   return add(key, value ? "true" : "false");
 }
 
+JsonObject resultOf(std::string_view kind) {
+  JsonObject object;
+  object.addString("result", kind);
+  return object;
+}
+
+bool isResultOf(std::string_view kind, std::string_view json) {
+  return json.starts_with("{\"result\": " + jsonString(kind));
+}
+
 }  // namespace rotatebook

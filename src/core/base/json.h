@@ -55,4 +55,10 @@ class JsonObject {
   std::string members_;
 };
 
+/// Returns an object whose first member says which command's result it is: "clip", "map" or
+/// "study".
+JsonObject resultOf(std::string_view kind);
+/// Returns whether JSON, or its beginning, is such a result.
+bool isResultOf(std::string_view kind, std::string_view json);
+
 }  // namespace rotatebook

@@ -129,7 +129,7 @@ std::string expectationsJson(const std::vector<ExpectedOfMap>& expected,
 std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
                     const MapChecksums& sums) {
   const MapSettings& map = *scene.map;
-  return JsonObject()
+  return resultOf("map")
              .addString("name", scene.name)
              .addString("title", scene.title)
              .addString("measure", nameOf(map.measure))

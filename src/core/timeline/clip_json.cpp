@@ -148,8 +148,7 @@ std::string motionJson(const MotionSummary& summary) {
 
 std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
                      std::string_view sceneChecksum) {
-  return JsonObject()
-      .addString("result", "clip")
+  return resultOf("clip")
       .addString("name", scene.name)
       .addString("title", scene.title)
       .addString("scene_xxh128", sceneChecksum)

@@ -11,9 +11,6 @@
 
 namespace rotatebook::timeline {
 
-/// The first member of clipJson(), by which it is known.
-inline constexpr std::string_view kClipJsonHead = "{\"result\": \"clip\"";
-
 /// Returns an expectation as an object: its bounds, what was measured, and whether it is met.
 std::string expectationJson(const scene::ExpectationResult& result);
 

@@ -174,9 +174,10 @@ TEST_F(Json, OfStudyIsPrintedAfterAnInterrupt) {
                                  settings);
   EXPECT_EQ(result.status, 130);
   expectKeys(result.output, "interrupted studies");
-  EXPECT_THAT(result.output,
-              AllOf(StartsWith(R"({"interrupted": true, "studies": [{"name": "tiny", )"),
-                    HasSubstr(R"("interrupted": true, "error": null, "files": [], "runs": [])")));
+  EXPECT_THAT(
+      result.output,
+      AllOf(StartsWith(R"({"interrupted": true, "studies": [{"result": "study", "name": "tiny", )"),
+            HasSubstr(R"("interrupted": true, "error": null, "files": [], "runs": [])")));
 }
 
 TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {

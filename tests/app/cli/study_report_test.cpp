@@ -112,7 +112,8 @@ TEST(StudyReport, IsJsonToo) {
   const std::string meaning(scene::rowOf(Measure::DivergesAt).meaning);
   EXPECT_EQ(
       out.str(),
-      R"({"interrupted": true, "studies": [{"name": "s", "title": "\"S\"", "scene_xxh128": "5ce", )"
+      R"({"interrupted": true, "studies": [{"result": "study", "name": "s", "title": "\"S\"", )"
+      R"("scene_xxh128": "5ce", )"
       R"("x": "simulation.substeps", "curves": "simulation.integrator", "interrupted": false, )"
       R"("error": null, "files": ["out/s-study.csv"], )"
       R"("runs": [{"value": "10", "curve": "matrix", "diverges_at": 4.5, "stretch": null, )"
@@ -124,7 +125,8 @@ TEST(StudyReport, IsJsonToo) {
           R"({"quantity": "diverges_at at 10, quaternion", "meaning": ")" +
           meaning +
           R"(", "min": 30, "max": null, "measured": "inf", "met": true}]}, )"
-          R"({"name": "s", "title": "\"S\"", "scene_xxh128": "5ce", "x": "simulation.substeps", )"
+          R"({"result": "study", "name": "s", "title": "\"S\"", "scene_xxh128": "5ce", )"
+          R"("x": "simulation.substeps", )"
           R"("curves": "simulation.integrator", "interrupted": false, "error": "no disk", )"
           R"("files": [], "runs": [], "orders": [], "expectations": []}]})"
           "\n");

@@ -10,6 +10,6 @@ int main() {
   const scene::Scene scene =
       scene::parseScene("[initial]\nangular_velocity = [5, 0.01, 0]\n", "throw.toml");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  std::cout << motion.trajectories()[0].samples.back().halfTurns << " half-turns, motion "
+  std::cout << motion.trajectories()[0].samples.back().halfTurns << " flips, motion "
             << timeline::motionChecksum(motion) << '\n';
 }

@@ -29,7 +29,7 @@ throws() {
   [ "$shown" = "$expected" ] || { echo "$1: $shown, not $expected" >&2; exit 1; }
   step "examples/throw, $1: $shown"
 }
-expected="2 half-turns, motion 496a5d3b94ba3d62b27d8e72f7542f28"
+expected="2 flips, motion 496a5d3b94ba3d62b27d8e72f7542f28"
 
 # Runs the tests of the build NAME that OPTIONS of ctest choose: tested NAME OPTIONS...
 tested() {

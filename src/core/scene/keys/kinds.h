@@ -107,7 +107,7 @@ constexpr ValueForm ownForm(std::string_view expected) {
   return {.expected = expected};
 }
 
-/// Likewise, of a key whose values have a form of their own.
+/// Returns the row of a key whose values have a form of their own.
 template <auto kMember, auto kRead, auto kText, auto kPart = nullptr>
 constexpr auto own(std::string_view name, std::string_view expected,
                    const KeyText& documentation = {}) {

@@ -117,7 +117,8 @@ class Player {
     this.clock.rate = read.rate[0] / read.rate[1];
     this.timeline.clear(read.motions.length);
     this.checksum = null;
-    const ghost = this.scene.ghostTree();
+    // A recording states no start, from which the exact motion would go on.
+    const ghost = read.motions.some(({model}) => model === "recorded") ? null : this.scene.ghostTree();
     this.simulation.begin(ghost && this.core.textOf(ghost));
     const start = (i, first) => Math.hypot(...this.core.sample(kPlayed, i, 0).subarray(first, first + 3)) || 1;
     this.scales = read.motions.map((motion, i) => ({omega: start(i, kSample.omega), momentum: start(i, kSample.momentum)}));

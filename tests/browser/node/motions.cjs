@@ -33,7 +33,7 @@ class Core {
   /** Takes the recordings and the mesh that a scene names, in place of all others. */
   takeFiles(scene, folder) {
     this.text(this.module._rb_file(0, 0));
-    for (const [, name] of scene.matchAll(/^(?:simulation\.file|mesh) = "(.*)"$/gm)) {
+    for (const [, name] of scene.matchAll(/^(?:(?:simulation\.)?file|(?:body\.)?mesh) = "(.*)"$/gm)) {
       const bytes = fs.readFileSync(path.join(folder, name));
       this.put(Buffer.concat([Buffer.from(name), bytes]));
       this.text(this.module._rb_file(Buffer.byteLength(name), bytes.length));

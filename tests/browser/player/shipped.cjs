@@ -17,7 +17,7 @@ const kMotions = new Map(fs.readFileSync(path.join(kRoot, "tests/same_bits/motio
 
 /** Gives a page the meshes and recordings that a scene's text names, from the folder of its file. */
 async function giveFiles(page, file, text) {
-  const files = [...text.matchAll(/^(?:simulation\.file|mesh) = "(.*)"$/gm)].map(([, name]) =>
+  const files = [...text.matchAll(/^(?:(?:simulation\.)?file|(?:body\.)?mesh) = "(.*)"$/gm)].map(([, name]) =>
     ({name, base64: fs.readFileSync(path.join(path.dirname(file), name)).toString("base64")}));
   await page.evaluate((all) => rotatebook.player.core.takeFiles(all.map(({name, base64}) =>
     ({name, bytes: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))}))), files);

@@ -31,13 +31,14 @@ void requireWhole(std::string_view bytes, std::size_t count) {
     if (spare.size() <= 1 || spare.find_first_not_of(kPadding) == spare.npos) return;
   }
   if (data.empty() && count == 0) return;
-  throw InputError(
-      "it says that it has " + std::to_string(count) + " triangles of " +
-      std::to_string(kTriangle) + " bytes, but has " + std::to_string(data.size()) +
-      " bytes of them" +
-      (data.size() > said ? ", " + std::to_string(data.size() - said) + " too many" : "") +
-      (data.size() > said ? ": the number is wrong, or something else follows; export it again"
-                          : ": no STL file, or not whole; export it again"));
+  throw InputError("it says that it has " + std::to_string(count) + " triangles of " +
+                   std::to_string(kTriangle) + " bytes, but has " + std::to_string(data.size()) +
+                   " bytes of them" +
+                   (data.size() > said
+                        ? ", " + std::to_string(data.size() - said) +
+                              " too many: the number is wrong, or something else follows"
+                        : ": no STL file, or not whole") +
+                   "; export it again");
 }
 
 TriangleMesh readBinaryStl(std::string_view bytes) {

@@ -64,14 +64,14 @@ std::vector<Surround> surfacesOf(const TriangleMesh& mesh) {
 
 void requireVoidsInside(const TriangleMesh& mesh, std::span<const std::uint32_t> numbers) {
   constexpr double kFlat = 1e-9, kRoom = 1e-6;
-  constexpr std::size_t kMost = 10'000'000;  // comparisons
+  constexpr std::size_t kMaxComparisons = 10'000'000;
   std::vector<Surround> outward, inward;
   for (const Surround& one : surfacesOf(mesh)) {
     const double size = (one.high - one.low).maxCoeff();
     const bool isFlat = std::fabs(one.volume) <= kFlat * size * size * size;
     if (!isFlat) (one.volume > 0 ? outward : inward).push_back(one);
   }
-  if (outward.empty() || inward.size() > kMost / outward.size()) return;
+  if (outward.empty() || inward.size() > kMaxComparisons / outward.size()) return;
   std::ranges::stable_sort(outward, std::ranges::greater{}, &Surround::volume);
   for (const Surround& one : inward) {
     const double room = kRoom * (one.high - one.low).maxCoeff();

@@ -173,14 +173,14 @@ bool isComment(std::string_view line) {
 }
 
 CsvLayout layoutOf(std::string_view text) {
-  constexpr std::size_t kMostUnnamed = 4;  // Rows above the header, as of a cut line.
+  constexpr std::size_t kMaxUnnamed = 4;  // Rows above the header, as of a cut line.
   CsvLayout layout;
   std::optional<char> stated;
   std::vector<HeadLine> head;
   std::size_t number = 0, unnamed = 0, firstLine = 0;
   std::string_view first;  // From the first row on.
   char firstSeparator = ',';
-  while (!text.empty() && unnamed < kMostUnnamed) {
+  while (!text.empty() && unnamed < kMaxUnnamed) {
     const std::string_view whole = text, line = takeLine(text), plain = trimmed(line);
     ++number;
     if (plain.empty()) continue;

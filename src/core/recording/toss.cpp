@@ -243,8 +243,7 @@ std::string rangeNote(const std::vector<Rate>& rates) {
   if (largest <= kRange) return "";
   return "the rates reach " + degreesASecond(largest) +
          ", more than gyroscopes measure: if they are raw counts or in another unit, the ratios "
-         "are "
-         "wrong";
+         "are wrong";
 }
 
 /// Returns the fit to the readings of a flight.

@@ -4,6 +4,7 @@
 // the end "N passed, N failed"; exits with 1 if one failed.
 const fs = require("fs");
 const path = require("path");
+const {filesOf} = require("../player/shipped.cjs");
 
 const [build, table, scenes] = process.argv.slice(2);
 const kNotMotions = new Set(["elementary-functions"]);
@@ -31,10 +32,9 @@ class Core {
     return bytes.length;
   }
   /** Takes the recordings and the mesh that a scene names, in place of all others. */
-  takeFiles(scene, folder) {
+  takeFiles(scene, file) {
     this.text(this.module._rb_file(0, 0));
-    for (const [, name] of scene.matchAll(/^(?:(?:simulation\.)?file|(?:body\.)?mesh) = "(.*)"$/gm)) {
-      const bytes = fs.readFileSync(path.join(folder, name));
+    for (const {name, bytes} of filesOf(file, scene)) {
       this.put(Buffer.concat([Buffer.from(name), bytes]));
       this.text(this.module._rb_file(Buffer.byteLength(name), bytes.length));
     }
@@ -68,7 +68,7 @@ async function main() {
     const start = process.hrtime.bigint();
     let found;
     try {
-      core.takeFiles(text, path.dirname(file));
+      core.takeFiles(text, file);
       found = core.checksums(text);
     } catch (error) { found = [error.message, ""]; }
     console.log(`${name} ${Number((process.hrtime.bigint() - start) / 1000000n)} ms`);

@@ -146,6 +146,7 @@ bool isAllowed(const Include& include) {
   if (!include.quoted) {
     if (isStandard(header)) return !core || kStandardInTheCore.contains(header);
     if (isOperatingSystem(header)) return !core;
+    if (header == "fmt/core.h") return room.storey == "platform" || room.storey == "app";
     return startsWithOneOf(header, room.thirdParty);
   }
   const std::string owner = header.substr(0, header.find('/'));
@@ -177,10 +178,15 @@ TEST(IncludeRules, DistinguishRightFromWrong) {
   EXPECT_TRUE(isAllowed({"system", "thread", false}));
   EXPECT_TRUE(isAllowed({"system", "unistd.h", false}));
   EXPECT_TRUE(isAllowed({"page", "embedded/page.h", true}));
+  EXPECT_TRUE(isAllowed({"image", "fmt/core.h", false}));
+  EXPECT_TRUE(isAllowed({"store", "fmt/core.h", false}));
   EXPECT_FALSE(isAllowed({"page", "embedded/render.h", true}));
   EXPECT_FALSE(isAllowed({"physics", "image/image.h", true}));
   EXPECT_FALSE(isAllowed({"physics", "boost/math/constants.hpp", false}));
   EXPECT_FALSE(isAllowed({"image", "epoxy/gl.h", false}));
+  EXPECT_FALSE(isAllowed({"scene", "fmt/core.h", false}));
+  EXPECT_FALSE(isAllowed({"bridge", "fmt/core.h", false}));
+  EXPECT_FALSE(isAllowed({"image", "fmt/format.h", false}));
   EXPECT_FALSE(isAllowed({"base", "Eigen/Core", false}));
   EXPECT_FALSE(isAllowed({"video", "scene/scene.h", true}));
   EXPECT_FALSE(isAllowed({"pipeline", "cli/program.h", true}));

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -14,8 +16,8 @@ constexpr int kColours = 3;
 
 void requireEqualSizes(ImageView a, ImageView b) {
   if (a.width == b.width && a.height == b.height) return;
-  throw InputError("can't compare pictures of different sizes: " + sizeText(a.width, a.height) +
-                   " and " + sizeText(b.width, b.height));
+  throw InputError(fmt::format("can't compare pictures of different sizes: {} and {}",
+                               sizeText(a.width, a.height), sizeText(b.width, b.height)));
 }
 
 // Calls visit(x, y, differences of red, green and blue) for each pixel.

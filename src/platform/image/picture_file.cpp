@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "image/picture_decoders.h"
@@ -33,24 +35,23 @@ bool isWebp(std::span<const std::uint8_t> bytes) {
 }  // namespace
 
 void refusePicture(const std::string& name, const std::string& why) {
-  throw InputError("can't read " + name + ": " + why);
+  throw InputError(fmt::format("can't read {}: {}", name, why));
 }
 
 void requirePossible(const ClaimedSize& claimed, std::size_t fileSize, const char* format,
                      const std::string& name) {
   const std::string size = sizeText(claimed.width, claimed.height);
   if (claimed.width > kMaxPictureSide || claimed.height > kMaxPictureSide) {
-    refusePicture(name,
-                  size + " pixels; the limit is " + std::to_string(kMaxPictureSide) + " a side");
+    refusePicture(name, fmt::format("{} pixels; the limit is {} a side", size, kMaxPictureSide));
   }
   if (claimed.leastBytes > fileSize) {
-    refusePicture(name, std::string("corrupt ") + format + ": " + std::to_string(fileSize) +
-                            " bytes can't hold the " + size + " pixels that its header claims");
+    refusePicture(
+        name, fmt::format("corrupt {}: {} bytes can't hold the {} pixels that its header claims",
+                          format, fileSize, size));
   }
   // Few bytes can still unpack to gigabytes.
   if (claimed.width * claimed.height > kMaxPicturePixels) {
-    refusePicture(name,
-                  size + " pixels; the limit is " + std::to_string(kMaxPicturePixels) + " in all");
+    refusePicture(name, fmt::format("{} pixels; the limit is {} in all", size, kMaxPicturePixels));
   }
 }
 

@@ -6,6 +6,8 @@
 #include <map>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -77,10 +79,8 @@ std::string otherCode(PngBytes chunk) {
   // BT.709's primaries, sRGB's curve, no matrix, and the full range
   constexpr std::array<std::uint8_t, 4> kSrgb{1, 13, 0, 1};
   if (chunk.size() != kSrgb.size() || std::ranges::equal(chunk, kSrgb)) return "";
-  std::string text = "colours of the code ";
-  for (const std::uint8_t number : chunk) text += std::to_string(number) + ", ";
-  text.resize(text.size() - 2);
-  return text + " (cICP)";
+  return fmt::format("colours of the code {}, {}, {}, {} (cICP)", chunk[0], chunk[1], chunk[2],
+                     chunk[3]);
 }
 
 /// Returns what says that the colours aren't sRGB; the first chunk of these decides.
@@ -96,7 +96,7 @@ std::string otherColours(const std::map<std::string, PngBytes, std::less<>>& chu
   }
   if (chunks.contains("sRGB")) return "";
   if (const PngBytes gamma = find("gAMA"); gamma.size() == 4 && !isSrgbGamma(gamma))
-    return "a gamma of " + roundedText(wordAt(gamma, 0) / 1e5, 3) + " (gAMA)";
+    return fmt::format("a gamma of {} (gAMA)", roundedText(wordAt(gamma, 0) / 1e5, 3));
   const PngBytes primaries = find("cHRM");
   if (!primaries.empty() && !areSrgbPrimaries(primaries)) return "other primaries (cHRM)";
   return "";

@@ -5,6 +5,8 @@
 #include <new>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "image/png_file.h"
 #include "image/png_guard.h"
@@ -110,7 +112,7 @@ const std::string& PngWriter::encode(ImageView view, const std::string& name) {
   bool done = encoder.begin(view, alpha);
   if (done) appendPixels(parts_->packer, view, alpha, bytes);
   done = done && encoder.end();
-  if (!done) throw MachineError("can't write " + name + ": libpng: " + encoder.message());
+  if (!done) throw MachineError(fmt::format("can't write {}: libpng: {}", name, encoder.message()));
   return bytes;
 }
 

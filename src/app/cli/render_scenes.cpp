@@ -36,7 +36,9 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
   rendered.interrupted = *options.stop;
   if (rendered.interrupted) return;
   // Expectations are of the whole, which the render of a part can't keep or break
-  if (!options.part) rendered.motions = timeline::summarize(scene, motion);
+  std::vector<timeline::MotionSummary> summaries;
+  if (!options.part) summaries = timeline::summarize(scene, motion);
+  rendered.motions = summaries;
   if (!one.isJudged) timeline::leaveUnjudged(rendered.motions);
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
@@ -47,7 +49,7 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
-  rendered.result = renderClip(scene, motion, options, listener, one.textures);
+  rendered.result = renderClip(scene, motion, options, listener, one.textures, summaries);
   rendered.interrupted = rendered.result->interrupted;
 }
 

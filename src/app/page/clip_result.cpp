@@ -38,6 +38,7 @@ ClipResult resultIn(const Json& json, const std::string& checksum) {
   for (const Json& motion : json.at("motions")) result.motions.push_back(motionIn(motion));
   for (const Json& event : json.at("events")) result.events.push_back(eventIn(event));
   Json plots = json.at("plots");
+  for (const char* key : {"rate", "frames"}) plots[key] = json.at(key);
   if (!checksum.empty()) plots["checksum"] = checksum;
   result.plots = inScript(plots);
   return result;

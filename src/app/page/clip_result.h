@@ -24,7 +24,8 @@ struct ClipResult {
   std::int64_t frames = 0;
   std::vector<MotionResult> motions{};  ///< In the order of scene::motionsOf().
   std::vector<Event> events{};
-  std::string plots{};  ///< "plots" and, unless it is empty, "checksum"; safe in a <script>.
+  /// "plots" with "rate", "frames" and, unless it is empty, "checksum"; safe in a <script>.
+  std::string plots{};
 };
 
 /// Reads the result of the clip of `scene` from `file`; `checksum` is that of its motion by the

@@ -19,6 +19,7 @@
 #include "system/atomic_file.h"
 #include "system/machine.h"
 #include "system/temporary_files.h"
+#include "timeline/motion_checksum.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::pipeline {
@@ -70,9 +71,12 @@ store::FrameRange framesOf(const timeline::ClipMotion& motion, const RenderOptio
 class Render {
  public:
   Render(const scene::Scene& scene, const timeline::ClipMotion& motion,
-         const RenderOptions& options, const picture::TextureFiles& textures)
+         const std::vector<timeline::MotionSummary>& summaries, const RenderOptions& options,
+         const picture::TextureFiles& textures)
       : scene_(scene),
         motion_(motion),
+        motionSum_(timeline::motionChecksum(motion)),
+        summaries_(summaries),
         options_(options),
         png_(hasPng(options.outputs)),
         formats_(formatsOf(options.outputs)),
@@ -87,7 +91,7 @@ class Render {
     const std::string& renderer = drawer_.description();
     const picture::TextureChecksums& textures = drawer_.textureChecksums();
     const std::string record =
-        store::sceneRecord(scene_, store::provenanceOf(scene_, motion_, textures, renderer));
+        store::sceneRecord(scene_, store::provenanceOf(scene_, motionSum_, textures, renderer));
     const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
@@ -200,7 +204,11 @@ class Render {
 
   void finish(const std::vector<OpenOutput>& outputs) {
     store::writeTables(result_.csvs, scene_, motion_);
-    store::writeResult(result_.files.json, scene_, motion_);
+    if (!result_.files.json.empty()) {
+      store::writeResult(result_.files.json, scene_, motion_,
+                         summaries_.empty() ? timeline::summarize(scene_, motion_) : summaries_,
+                         motionSum_);
+    }
     if (!options_.isPart()) {
       picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
                            scene::isTransparent(scene_), result_.files.poster);
@@ -224,6 +232,8 @@ class Render {
 
   const scene::Scene& scene_;
   const timeline::ClipMotion& motion_;
+  std::string motionSum_;
+  const std::vector<timeline::MotionSummary>& summaries_;
   const RenderOptions& options_;
   bool png_;
   std::vector<video::VideoFormat> formats_;
@@ -247,14 +257,15 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
 
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener,
-                        const picture::TextureFiles& textures) {
+                        const picture::TextureFiles& textures,
+                        const std::vector<timeline::MotionSummary>& summaries) {
   const store::FrameRange frames = framesOf(motion, options);
   if (frames.count() == 0) {
     RenderResult nothing;
     nothing.files = filesOf(scene, options, frames);
     return nothing;
   }
-  return Render(scene, motion, options, textures).run(listener);
+  return Render(scene, motion, summaries, options, textures).run(listener);
 }
 
 }  // namespace rotatebook::pipeline

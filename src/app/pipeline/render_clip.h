@@ -18,6 +18,7 @@
 #include "store/clip_settings.h"
 #include "store/disk_space.h"
 #include "timeline/clip_motion.h"
+#include "timeline/motion_summary.h"
 
 namespace rotatebook::pipeline {
 
@@ -78,9 +79,11 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
 /// poster; nothing, if it is a part without frames. A resumed render leaves the same files as one
 /// that was never interrupted. Throws Error; then, too, files with a final name are complete, and
 /// finished frames are kept. See store::ClipFolder for the folders. `textures` are the scene's as
-/// far as they were read already.
+/// far as they were read already, `summaries` those of `motion`, which are computed if there are
+/// none.
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener,
-                        const picture::TextureFiles& textures = {});
+                        const picture::TextureFiles& textures = {},
+                        const std::vector<timeline::MotionSummary>& summaries = {});
 
 }  // namespace rotatebook::pipeline

@@ -15,7 +15,6 @@
 #include "scene/scene_text.h"
 #include "store/scene_file.h"
 #include "store/scene_name.h"
-#include "timeline/motion_checksum.h"
 #include "video/video_writer.h"
 
 namespace rotatebook::store {
@@ -185,14 +184,14 @@ std::string clipText(scene::Scene scene) {
 
 }  // namespace
 
-Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+Provenance provenanceOf(const scene::Scene& scene, const std::string& motionSum,
                         const std::map<std::string, std::string>& textures,
                         const std::string& renderer) {
   return {.scene = oneLine(scene.name),
           .program = kVersion,
           .renderer = oneLine(renderer),
           .ffmpeg = video::ffmpegVersion(),
-          .motion = timeline::motionChecksum(motion),
+          .motion = motionSum,
           .textures = texturesText(textures)};
 }
 

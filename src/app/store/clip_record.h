@@ -9,7 +9,6 @@
 
 #include "scene/scene.h"
 #include "store/clip_files.h"
-#include "timeline/clip_motion.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::store {
@@ -24,10 +23,10 @@ struct Provenance {
   std::string textures{};  ///< "book.front CHECKSUM, ..."; built-in ones are left out.
 };
 
-/// Returns the provenance of a clip of `scene` that this program makes on this machine: `motion` is
-/// the scene's, `textures` are picture::LoadedTextures::checksums, `renderer` is
+/// Returns the provenance of a clip of `scene` that this program makes on this machine: `motionSum`
+/// is timeline::motionChecksum(), `textures` are picture::LoadedTextures::checksums, `renderer` is
 /// render::Renderer::description().
-Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+Provenance provenanceOf(const scene::Scene& scene, const std::string& motionSum,
                         const std::map<std::string, std::string>& textures,
                         const std::string& renderer);
 

@@ -17,9 +17,12 @@ void writeTables(const std::vector<std::filesystem::path>& files, const scene::S
 }
 
 void writeResult(const std::filesystem::path& file, const scene::Scene& scene,
-                 const timeline::ClipMotion& motion) {
-  if (file.empty()) return;
-  system::writeFileAtomically(file, clipJson(scene, motion, sceneChecksum(scene)) + '\n');
+                 const timeline::ClipMotion& motion,
+                 const std::vector<timeline::MotionSummary>& summaries,
+                 std::string_view motionSum) {
+  const std::string sceneSum = sceneChecksum(scene);
+  system::writeFileAtomically(file,
+                              clipJson(scene, motion, summaries, {sceneSum, motionSum}) + '\n');
 }
 
 }  // namespace rotatebook::store

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
+#include "timeline/motion_summary.h"
 
 namespace rotatebook::store {
 
@@ -15,8 +16,10 @@ namespace rotatebook::store {
 void writeTables(const std::vector<std::filesystem::path>& files, const scene::Scene& scene,
                  const timeline::ClipMotion& motion);
 
-/// Writes timeline::clipJson() to `file`, unless that is empty. Throws MachineError.
+/// Writes timeline::clipJson() to `file`; `motionSum` is the motion's checksum. Throws
+/// MachineError.
 void writeResult(const std::filesystem::path& file, const scene::Scene& scene,
-                 const timeline::ClipMotion& motion);
+                 const timeline::ClipMotion& motion,
+                 const std::vector<timeline::MotionSummary>& summaries, std::string_view motionSum);
 
 }  // namespace rotatebook::store

@@ -3,14 +3,12 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
-#include <vector>
 
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "scene/names.h"
 #include "timeline/clip_events.h"
-#include "timeline/motion_checksum.h"
 #include "timeline/notes.h"
 
 namespace rotatebook::timeline {
@@ -68,16 +66,10 @@ std::set<std::size_t> plottedIn(const scene::Scene& scene, std::size_t motions) 
   return plotted;
 }
 
-std::string rateJson(const FrameRate& rate) {
-  return jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)});
-}
-
 std::string plotsJson(const scene::Scene& scene, const ClipMotion& motion) {
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   JsonObject plots;
-  plots.add("rate", rateJson(scene.clip.frameRate))
-      .addInteger("frames", motion.frameCount())
-      .addNumber("interval", motion.trajectories().front().interval);
+  plots.addNumber("interval", motion.trajectories().front().interval);
   if (!hasEvenTimes(scene)) plots.add("times", timesOf(scene, motion.frameCount()));
   return plots
       .add("motions", jsonArrayOf(plottedIn(scene, panels.size()),
@@ -147,15 +139,16 @@ std::string motionJson(const MotionSummary& summary) {
 }
 
 std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
-                     std::string_view sceneChecksum) {
+                     const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums) {
+  const FrameRate rate = scene.clip.frameRate;
   return resultOf("clip")
       .addString("name", scene.name)
       .addString("title", scene.title)
-      .addString("scene_xxh128", sceneChecksum)
-      .addString("motion_xxh128", motionChecksum(motion))
-      .add("rate", rateJson(scene.clip.frameRate))
+      .addString("scene_xxh128", checksums.scene)
+      .addString("motion_xxh128", checksums.motion)
+      .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .addInteger("frames", motion.frameCount())
-      .add("motions", jsonArrayOf(summarize(scene, motion), motionJson))
+      .add("motions", jsonArrayOf(summaries, motionJson))
       .add("events",
            jsonArrayOf(scene.grid ? std::vector<ClipEvent>{} : eventsOf(scene, motion), eventJson))
       .add("plots", plotsJson(scene, motion))

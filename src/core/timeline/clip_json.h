@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/expectation.h"
 #include "scene/scene.h"
@@ -17,14 +18,19 @@ std::string expectationJson(const scene::ExpectationResult& result);
 /// Returns a summary as an object. Unknown values are null.
 std::string motionJson(const MotionSummary& summary);
 
-/// Returns the result of a clip as an object: {"result": "clip", "name", "title", "scene_xxh128":
-/// `sceneChecksum`, "motion_xxh128", "rate": [60, 1], "frames", "motions", "events", "plots"}.
-/// "motions" holds motionJson(); "events" {"frame", "time_s", "label", "words"}, none of a grid;
-/// "plots" {"rate", "frames", "interval", "times": those of the frames, unless they are even,
-/// "motions": [{"label", "springs": whether there are any, "kinetic", "potential", "total", "tilt",
-/// "error"}]}, of a grid those in its corners. The last five have a number for each sample, of six
-/// digits: energies over the total at the start, angles in degrees.
+/// The checksums of a clip's scene and of its motion().
+struct ClipChecksums {
+  std::string_view scene, motion;
+};
+
+/// Returns the result of a clip as an object: {"result": "clip", "name", "title", "scene_xxh128",
+/// "motion_xxh128", "rate": [60, 1], "frames", "motions", "events", "plots"}. "motions" holds
+/// motionJson() of `summaries`, which are summarize()'s of `motion`; "events" {"frame", "time_s",
+/// "label", "words"}, none of a grid; "plots" {"interval", "times": those of the frames, unless
+/// they are even, "motions": [{"label", "springs": whether there are any, "kinetic", "potential",
+/// "total", "tilt", "error"}]}, of a grid those in its corners. The last five have a number for
+/// each sample, of six digits: energies over the total at the start, angles in degrees.
 std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
-                     std::string_view sceneChecksum);
+                     const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums);
 
 }  // namespace rotatebook::timeline

@@ -14,6 +14,7 @@
 #include "store/encoding.h"
 #include "store/tables.h"
 #include "system/atomic_file.h"
+#include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
 #include "video/video_writer.h"
 
@@ -72,7 +73,8 @@ inline void makeClip(const scene::Scene& scene, const std::filesystem::path& fol
   makePicture(files.poster, scene.clip.width, scene.clip.height);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   store::writeTables(store::csvFiles(files.csv, scene), scene, motion);
-  store::writeResult(files.json, scene, motion);
+  store::writeResult(files.json, scene, motion, timeline::summarize(scene, motion),
+                     timeline::motionChecksum(motion));
 }
 
 }  // namespace rotatebook::page::testing

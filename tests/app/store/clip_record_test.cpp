@@ -67,8 +67,7 @@ TEST(SceneRecord, IsReadBack) {
 TEST(SceneRecord, NamesTheTexturesThatAreNotBuiltIn) {
   const scene::Scene scene = smallScene();
   const Provenance provenance =
-      provenanceOf(scene, timeline::simulateScene(scene),
-                   {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
+      provenanceOf(scene, "", {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
   const std::string record = sceneRecord(scene, provenance);
   EXPECT_THAT(record, HasSubstr("\n# Textures: book.front abc\n\n"));
   EXPECT_EQ(parseRecord(record, "x", "").provenance.textures, "book.front abc");
@@ -102,8 +101,7 @@ TEST(SceneRecord, OfThisVersionHoldsNoOtherWords) {
 TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   scene::Scene scene = smallScene();
   scene.name = "a\nb = 1";
-  const Provenance provenance =
-      provenanceOf(scene, timeline::simulateScene(scene), {}, "r\n\nmass = 2");
+  const Provenance provenance = provenanceOf(scene, "", {}, "r\n\nmass = 2");
   const ClipRecord record = parseRecord(sceneRecord(scene, provenance), "x", "");
   EXPECT_EQ(record.provenance.scene, "a\\nb = 1");
   EXPECT_EQ(record.provenance.renderer, "r\\n\\nmass = 2");

@@ -93,7 +93,7 @@ TEST(Fingerprint, IsOfTheTexturesThatWereDrawn) {
   EXPECT_NE(system::checksumOfFile(cover), drawn);
   const auto made = fingerprint(scene, drawer.textureChecksums(), {drawer.description(), "t"});
   EXPECT_EQ(made.at("book.front"), drawn);
-  EXPECT_EQ(provenanceOf(scene, motion, drawer.textureChecksums(), "r").textures,
+  EXPECT_EQ(provenanceOf(scene, "", drawer.textureChecksums(), "r").textures,
             "book.front " + drawn);
 }
 

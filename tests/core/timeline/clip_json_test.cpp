@@ -32,9 +32,9 @@ physics::Trajectory halving() {
 }
 
 std::string jsonOf(const scene::Scene& scene, std::size_t motions = 1) {
-  return clipJson(
-      scene, ClipMotion(std::vector<physics::Trajectory>(motions, halving()), scene.clip.frameRate),
-      "c0ffee");
+  const ClipMotion motion(std::vector<physics::Trajectory>(motions, halving()),
+                          scene.clip.frameRate);
+  return clipJson(scene, motion, {{.motion = {}, .flips = {0.5}}}, {"c0ffee", "decade"});
 }
 
 TEST(ClipJson, HoldsEachSampleOfEachMotion) {
@@ -45,11 +45,13 @@ TEST(ClipJson, HoldsEachSampleOfEachMotion) {
   scene.panels[1].label = "<b>";
   const std::string json = jsonOf(scene, 2);
   EXPECT_TRUE(rotatebook::isResultOf("clip", json));
-  EXPECT_THAT(json, HasSubstr(R"("scene_xxh128": "c0ffee")"));
+  EXPECT_THAT(json, HasSubstr(R"("scene_xxh128": "c0ffee", "motion_xxh128": "decade", )"
+                              R"("rate": [30000, 1001], "frames": 2, "motions": [{)"));
+  EXPECT_THAT(json, HasSubstr(R"("flips_s": [0.5])"));  // As it is given, not computed again.
   EXPECT_THAT(
       json,
       HasSubstr(
-          R"("plots": {"rate": [30000, 1001], "frames": 2, "interval": 0.5, "motions": [)"
+          R"("plots": {"interval": 0.5, "motions": [)"
           R"({"label": "a", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
           R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}, )"
           R"({"label": "\u003Cb>", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"

@@ -119,8 +119,8 @@ class Verifier {
     const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
     picture::FrameDrawer drawer(record_.scene, motion_, options_.device, clip_.textures);
     found.toolsDiffer = store::differencesOfTools(
-        record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
-                                                drawer.description()));
+        record_.provenance, store::provenanceOf(record_.scene, motionSum_,
+                                                drawer.textureChecksums(), drawer.description()));
     PictureComparison comparison(record_.scene, drawer, found.wholeCount);
     DisplayCheck display(scene::isTransparent(record_.scene));
     Quantisers coded;

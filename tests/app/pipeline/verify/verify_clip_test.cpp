@@ -17,6 +17,7 @@
 #include "pipeline/small_clip.h"
 #include "pipeline/verify/picture_comparison.h"
 #include "store/encoding.h"
+#include "timeline/motion_checksum.h"
 #include "video/forged_mp4.h"
 #include "video/video_writer.h"
 
@@ -71,7 +72,8 @@ void write(const Forgery& forgery, const fs::path& path) {
   const timeline::ClipMotion motion = timeline::simulateScene(forgery.shown);
   picture::FrameDrawer drawer(forgery.shown, motion);
   store::Provenance provenance = store::provenanceOf(
-      forgery.said, timeline::simulateScene(forgery.said), {}, drawer.description());
+      forgery.said, timeline::motionChecksum(timeline::simulateScene(forgery.said)), {},
+      drawer.description());
   if (forgery.made) forgery.made(provenance);
   video::VideoSettings settings =
       store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, provenance));

@@ -13,6 +13,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/temporary_files.h"
 
@@ -81,8 +83,8 @@ void requireReplaceable(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found || fs::is_regular_file(status)) return;
   const std::string kind = fs::is_directory(status) ? "a folder" : "not a regular file";
-  throw MachineError("can't write " + path.string() + ": " +
-                     (error ? error.message() : "it is " + kind));
+  throw MachineError(
+      fmt::format("can't write {}: {}", path.string(), error ? error.message() : "it is " + kind));
 }
 
 AtomicFile::~AtomicFile() {
@@ -152,8 +154,9 @@ AdvisoryLock::AdvisoryLock(const fs::path& path, Lock lock)
     : path_(lockNameFor(path)), file_(createLockedWithRetries(path_, lock)) {
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
-  throw MachineError("another process is writing " + path.string() + "; wait for it to end",
-                     ErrorKind::Transient);
+  throw MachineError(
+      fmt::format("another process is writing {}; wait for it to end", path.string()),
+      ErrorKind::Transient);
 }
 
 AdvisoryLock::~AdvisoryLock() {
@@ -172,7 +175,7 @@ void removeFile(const fs::path& path) {
   std::error_code error;
   fs::remove(path, error);
   if (!error) return;
-  throw MachineError("can't remove " + path.string() + ": " + error.message(),
+  throw MachineError(fmt::format("can't remove {}: {}", path.string(), error.message()),
                      kindOfError(error.value()));
 }
 
@@ -181,8 +184,8 @@ void createFolders(const fs::path& folder) {
   fs::create_directories(folder, error);
   if (!error) return;
   const std::string obstacle = obstacleOn(folder);
-  throw MachineError("can't make the folder " + folder.string() + ": " +
-                         (obstacle.empty() ? error.message() : obstacle),
+  throw MachineError(fmt::format("can't make the folder {}: {}", folder.string(),
+                                 obstacle.empty() ? error.message() : obstacle),
                      kindOfError(error.value()));
 }
 

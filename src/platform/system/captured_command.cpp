@@ -1,5 +1,7 @@
 #include "system/captured_command.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/child_process.h"
 #include "system/file_descriptor.h"
@@ -15,7 +17,7 @@ std::optional<CapturedCommand> capture(const std::vector<std::string>& command,
   const auto end = child->wait(timeout);
   if (!end) {
     throw MachineError(
-        command.front() + " doesn't answer within " + std::to_string(timeout.count()) + " s",
+        fmt::format("{} doesn't answer within {} s", command.front(), timeout.count()),
         ErrorKind::Transient);
   }
   return CapturedCommand{end->signal == 0 ? end->status : 128 + end->signal,

@@ -8,6 +8,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::system {
@@ -46,7 +48,7 @@ std::optional<ChildProcess> ChildProcess::start(std::vector<std::string> command
                                  arguments.data(), environ);
   if (error == ENOENT) return std::nullopt;
   if (error != 0) {
-    throw MachineError("can't start " + command.front() + ": " + std::strerror(error));
+    throw MachineError(fmt::format("can't start {}: {}", command.front(), std::strerror(error)));
   }
   return ChildProcess(id);
 }

@@ -1,5 +1,7 @@
 #include "system/file_checksum.h"
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/error.h"
 #include "system/file_descriptor.h"
@@ -14,7 +16,7 @@ std::string checksumOfFile(const std::filesystem::path& path) try {
   }
   return sum.text();
 } catch (const InputError& error) {
-  throw MachineError("can't read " + path.string() + ": " + error.what());
+  throw MachineError(fmt::format("can't read {}: {}", path.string(), error.what()));
 }
 
 }  // namespace rotatebook::system

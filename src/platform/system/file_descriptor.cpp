@@ -9,6 +9,8 @@
 #include <sys/mman.h>
 #include <sys/stat.h>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::system {
@@ -101,9 +103,8 @@ ErrorKind kindOfError(int error) {
 
 void throwLastError(const std::filesystem::path& path, std::string_view action) {
   const int error = errno;
-  throw MachineError(
-      "can't " + std::string(action) + " " + path.string() + ": " + std::strerror(error),
-      kindOfError(error));
+  throw MachineError(fmt::format("can't {} {}: {}", action, path.string(), std::strerror(error)),
+                     kindOfError(error));
 }
 
 }  // namespace rotatebook::system

@@ -10,6 +10,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 #include "system/child_process.h"
 #include "system/crash_signals.h"
@@ -33,7 +35,7 @@ void runAsCopy(const std::function<void()>& action, const FileDescriptor& output
 
 std::string causeOf(const ProcessEnd& end) {
   if (end.signal != 0) return strsignal(end.signal);
-  return "exit status " + std::to_string(end.status);
+  return fmt::format("exit status {}", end.status);
 }
 
 /// Returns the last line of `output`, as ": LINE", or empty.
@@ -55,8 +57,8 @@ std::string runIsolated(const std::function<void()>& action, std::chrono::second
   ChildProcess copy = ChildProcess::copy([&] { runAsCopy(action, output); });
   const std::optional<ProcessEnd> end = copy.wait(timeout);
   if (end && end->signal == 0 && end->status == 0) return "";
-  return (end ? "ends the process (" + causeOf(*end) + ")"
-              : "doesn't return within " + std::to_string(timeout.count()) + " s") +
+  return (end ? fmt::format("ends the process ({})", causeOf(*end))
+              : fmt::format("doesn't return within {} s", timeout.count())) +
          lastLine(output);
 }
 

@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::system {
@@ -18,7 +20,7 @@ namespace {
 }
 
 [[noreturn]] void failLong(const std::string& size, std::uintmax_t limit) {
-  throw InputError("it has " + size + " bytes; the limit is " + std::to_string(limit));
+  throw InputError(fmt::format("it has {} bytes; the limit is {}", size, limit));
 }
 
 }  // namespace
@@ -44,7 +46,7 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t limit) {
   const auto take = [&](std::string_view block) {
     bytes += block;
     // A file may grow, and some of the kernel's don't report their size.
-    if (bytes.size() > limit) failLong("over " + std::to_string(limit), limit);
+    if (bytes.size() > limit) failLong(fmt::format("over {}", limit), limit);
   };
   if (!readBlocks(file, take)) throwLastError(path, "read");
   return bytes;
@@ -54,7 +56,7 @@ std::string readInput(const std::filesystem::path& path, std::uintmax_t limit) {
   try {
     return readFile(path, limit);
   } catch (const InputError& error) {
-    throw InputError("can't read " + path.string() + ": " + error.what());
+    throw InputError(fmt::format("can't read {}: {}", path.string(), error.what()));
   }
 }
 

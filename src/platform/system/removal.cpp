@@ -8,6 +8,8 @@
 #include <system_error>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 namespace rotatebook::system {
 namespace {
 
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 /// Returns the name of the user with this number, or the number.
 std::string userName(uid_t user) {
   const passwd* entry = getpwuid(user);
-  return entry != nullptr ? entry->pw_name : "user " + std::to_string(user);
+  return entry != nullptr ? entry->pw_name : fmt::format("user {}", user);
 }
 
 std::optional<struct stat> statusOf(const fs::path& path) {
@@ -31,7 +33,7 @@ std::string obstacleIn(const fs::path& folder) {
   const std::string cause = std::generic_category().message(errno);
   struct stat status {};
   if (stat(folder.c_str(), &status) != 0) return cause;
-  return cause + "; " + folder.string() + " belongs to " + userName(status.st_uid);
+  return fmt::format("{}; {} belongs to {}", cause, folder.string(), userName(status.st_uid));
 }
 
 /// Returns why this user can't remove the file at `path` from `folder`, whose names they may
@@ -42,8 +44,8 @@ std::string obstacleByOwner(const fs::path& folder, const fs::path& path) {
   if (!own || stat(folder.c_str(), &above) != 0 || (above.st_mode & S_ISVTX) == 0) return "";
   const uid_t user = geteuid();
   if (user == 0 || user == above.st_uid || user == own->st_uid) return "";
-  return path.string() + " belongs to " + userName(own->st_uid) + ", and " + folder.string() +
-         " lets users remove only their own files";
+  return fmt::format("{} belongs to {}, and {} lets users remove only their own files",
+                     path.string(), userName(own->st_uid), folder.string());
 }
 
 }  // namespace

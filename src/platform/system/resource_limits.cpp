@@ -4,6 +4,8 @@
 #include <sys/resource.h>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/machine.h"
 
@@ -26,8 +28,9 @@ void requireStack() {
   constexpr rlim_t kNeeded = 2048;
   const rlim_t limit = limitOf(RLIMIT_STACK);
   if (limit >= kNeeded) return;
-  throw MachineError("the stack is limited to " + std::to_string(limit) + " kB, and " +
-                     std::to_string(kNeeded) + " kB are needed: raise the limit, ulimit -s 8192");
+  throw MachineError(fmt::format(
+      "the stack is limited to {} kB, and {} kB are needed: raise the limit, ulimit -s 8192", limit,
+      kNeeded));
 }
 
 std::vector<std::string> memoryLimits() {
@@ -37,7 +40,7 @@ std::vector<std::string> memoryLimits() {
   for (const auto& [resource, name] : kLimits) {
     const rlim_t limit = limitOf(resource);
     if (1024 * static_cast<double>(limit) >= memorySize()) continue;
-    lower.push_back(std::string(name) + " (it is " + std::to_string(limit) + " kB)");
+    lower.push_back(fmt::format("{} (it is {} kB)", name, limit));
   }
   return lower;
 }

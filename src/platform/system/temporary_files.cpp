@@ -12,6 +12,8 @@
 #include <system_error>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "system/file_descriptor.h"
 #include "system/read_file.h"
@@ -57,7 +59,7 @@ const std::string& ownBoot() {
 }
 
 fs::path besideAs(const fs::path& path, const std::string& ending) {
-  return path.parent_path() / ("." + path.filename().string() + std::string(kInfix) + ending);
+  return path.parent_path() / fmt::format(".{}{}{}", path.filename().string(), kInfix, ending);
 }
 
 /// Returns the writer that the temporary name `name` tells; nothing if it is another name.
@@ -95,7 +97,7 @@ bool isDead(const Writer& writer, const FileDescriptor& file) {
 }  // namespace
 
 std::string processName() {
-  return ownHost() + '-' + ownBoot() + '-' + std::to_string(getpid());
+  return fmt::format("{}-{}-{}", ownHost(), ownBoot(), getpid());
 }
 
 fs::path temporaryNameFor(const fs::path& path) {

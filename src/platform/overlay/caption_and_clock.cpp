@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -58,10 +60,10 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
     parts.push_back(settings.damping > 0
                         ? words[Word::Damping] + " " + words.number(shortestText(settings.damping))
                         : words[Word::Undamped]);
-    parts.push_back("k = " + words.number(shortestText(settings.stiffness)) + " N/m");
+    parts.push_back(fmt::format("k = {} N/m", words.number(shortestText(settings.stiffness))));
   }
   const double step = 1e3 * settings.steps().length();
-  parts.push_back(words[Word::Step] + " " + words.number(roundedText(step, 3)) + " ms");
+  parts.push_back(fmt::format("{} {} ms", words[Word::Step], words.number(roundedText(step, 3))));
   return parts;
 }
 
@@ -110,7 +112,7 @@ std::string speedMark(double speed, const scene::Words& words) {
   constexpr double kWhole = 100;  // From there on without decimals, and so without an exponent.
   const std::string text =
       speed < kWhole ? roundedText(speed, 3) : std::to_string(std::llround(speed));
-  return text == "1" ? "" : "  " + words.number(text) + "\u00d7";
+  return text == "1" ? "" : fmt::format("  {}\u00d7", words.number(text));
 }
 
 /// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade in `rise` rows.
@@ -139,14 +141,12 @@ void refuseTooMany(const std::vector<Line>& lines, const scene::Scene& scene) {
   if (rows <= height / 2 || height < kSmallPicture) return;
   const auto tallest =
       std::ranges::max_element(lines, {}, [](const Line& line) { return line.text.height; });
-  const bool title = tallest == lines.begin();
+  const char* key = tallest == lines.begin() ? "title" : "caption";
   throw InputError(
-      scene::locationOf(scene, title ? "title" : "caption") + ": the text takes " +
-      std::to_string(rows) + " of the picture's " + std::to_string(height) +
-      " rows, which leaves too little for the book; shorten " +
-      (title ? "the title" : "the caption") +
-      ", make the picture wider (clip.size) or the letters smaller (overlay.scale), or leave "
-      "\"caption\" out of overlay.show");
+      fmt::format("{}: the text takes {} of the picture's {} rows, which leaves too little for the "
+                  "book; shorten the {}, make the picture wider (clip.size) or the letters smaller "
+                  "(overlay.scale), or leave \"caption\" out of overlay.show",
+                  scene::locationOf(scene, key), rows, height, key));
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <memory>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::overlay {
@@ -26,7 +28,7 @@ std::string momentText(double time, const scene::Words& words, bool isBrief) {
 }
 
 std::string countText(const OverlayContext& context, int count) {
-  return context.scene.overlay.words[scene::Word::Flips] + " " + std::to_string(count);
+  return fmt::format("{} {}", context.scene.overlay.words[scene::Word::Flips], count);
 }
 
 TextStyle countStyle(const Scale& scale, double glow) {
@@ -57,10 +59,10 @@ Layer labelLayer(const OverlayContext& context, const std::string& label, double
   Layer layer = context.type.draw(label, style, static_cast<int>(width));
   const double max = std::max(kTallestLabel * context.scale.height, kMinLines * style.size);
   if (layer.height > max && context.scene.clip.height >= kSmallPicture) {
-    throw InputError("the label \"" + label + "\" takes " + std::to_string(layer.height) +
-                     " of its panel's " + std::to_string(context.scale.height) +
-                     " rows, which leaves too little for the book; shorten it, or make the "
-                     "picture larger (clip.size)");
+    throw InputError(
+        fmt::format("the label \"{}\" takes {} of its panel's {} rows, which leaves too little for "
+                    "the book; shorten it, or make the picture larger (clip.size)",
+                    label, layer.height, context.scale.height));
   }
   return layer;
 }

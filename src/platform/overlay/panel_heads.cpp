@@ -8,6 +8,8 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "overlay/drawn_overlay.h"
 #include "overlay/motion_text.h"
@@ -204,10 +206,10 @@ struct PanelHeads::Parts {
     const auto heightOf = [](const auto& head) { return head->label->height; };
     const auto panel = std::ranges::max_element(heads, {}, heightOf) - heads.begin();
     scene::atLocationOf(scene, scene::labelKey(static_cast<std::size_t>(panel)), [&] {
-      throw InputError("the words above a panel take " + std::to_string(height) + " of its " +
-                       std::to_string(cells.height) +
-                       " rows, which leaves too little for the book; shorten the label, or make "
-                       "the picture larger (clip.size)");
+      throw InputError(
+          fmt::format("the words above a panel take {} of its {} rows, which leaves too little for "
+                      "the book; shorten the label, or make the picture larger (clip.size)",
+                      height, cells.height));
     });
   }
 

@@ -1,16 +1,16 @@
 #include "overlay/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "embedded/overlay.h"
@@ -42,7 +42,7 @@ class FontFile {
     system::writeAll(file_, bytes, "the font in memory");
   }
 
-  std::string path() const { return "/proc/self/fd/" + std::to_string(file_.number()); }
+  std::string path() const { return fmt::format("/proc/self/fd/{}", file_.number()); }
 
  private:
   system::FileDescriptor file_;
@@ -145,9 +145,10 @@ LayoutPointer wholeLayoutOf(PangoContext* context, const std::string& family,
                             const std::string& text, const TextStyle& style, int width) {
   LayoutPointer layout = layoutOf(context, family, text, style, width);
   if (pango_layout_get_unknown_glyphs_count(layout.get()) == 0) return layout;
-  throw InputError("the font " + family + " lacks \"" + unknownLetter(layout.get()) +
-                   "\", which is in \"" + text +
-                   "\"; choose an installed font that has it, overlay.font = \"...\"");
+  throw InputError(
+      fmt::format("the font {} lacks \"{}\", which is in \"{}\"; choose an installed font that has "
+                  "it, overlay.font = \"...\"",
+                  family, unknownLetter(layout.get()), text));
 }
 
 void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const Ink& ink) {
@@ -168,9 +169,7 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const In
 }  // namespace
 
 std::string clockText(double time, const scene::Words& words) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.2f s", time);
-  return words.number(text.data());
+  return words.number(fmt::format("{:.2f} s", time));
 }
 
 struct Typesetter::Parts {
@@ -199,9 +198,10 @@ Typesetter::Typesetter() = default;
 Typesetter::Typesetter(const std::string& family)
     : parts_(std::make_unique<Parts>(family, nullptr)) {
   if (has(parts_->map.get(), family)) return;
-  throw InputError("no font family \"" + family +
-                   "\" is installed, which overlay.font names; fc-list : family lists those that "
-                   "are");
+  throw InputError(
+      fmt::format("no font family \"{}\" is installed, which overlay.font names; fc-list : family "
+                  "lists those that are",
+                  family));
 }
 
 Typesetter Typesetter::of(const scene::Scene& scene, const Ink& ink) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <fmt/core.h>
 
 #include "base/checksum.h"
 #include "base/error.h"
@@ -30,7 +31,7 @@ namespace {
 void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
-  throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when,
+  throw MachineError(fmt::format("can't draw: OpenGL error {} {}", error, when),
                      error == GL_OUT_OF_MEMORY ? ErrorKind::Transient : ErrorKind::Machine);
 }
 
@@ -127,10 +128,10 @@ struct Renderer::Parts {
     target.begin(middle);
     const int cleared = target.alphaAt(middle.x, middle.y);
     if (drawn != 0 && cleared == 0) return;
-    throw MachineError("can't draw: " + context.description() +
-                       " reports no error and draws nothing: a pixel within a body has alpha " +
-                       std::to_string(drawn) + " when drawn and " + std::to_string(cleared) +
-                       " when cleared; choose another device with --device" + kDoctorHint);
+    throw MachineError(fmt::format(
+        "can't draw: {} reports no error and draws nothing: a pixel within a body has alpha {} "
+        "when drawn and {} when cleared; choose another device with --device{}",
+        context.description(), drawn, cleared, kDoctorHint));
   }
 
   image::Image makeBackground() const {

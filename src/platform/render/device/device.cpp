@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -30,12 +32,11 @@ bool isAllowed(const DisplayCandidate& candidate, const DeviceChoice& choice) {
 }
 
 std::string textOf(const DeviceChoice& choice) {
-  const std::string number = std::to_string(choice.number);
   switch (choice.kind) {
     case DeviceChoice::Kind::Index:
-      return "EGL device " + number;
+      return fmt::format("EGL device {}", choice.number);
     case DeviceChoice::Kind::Cuda:
-      return "EGL device with the CUDA id " + number;
+      return fmt::format("EGL device with the CUDA id {}", choice.number);
     case DeviceChoice::Kind::Software:
       return "software renderer";
     default:
@@ -44,8 +45,7 @@ std::string textOf(const DeviceChoice& choice) {
 }
 
 std::string devicesText(const DisplayCandidates& list) {
-  std::string text = "\n  There ";
-  text += list.hasDevices() ? "are:" : "is no EGL device";
+  std::string text = list.hasDevices() ? "\n  There are:" : "\n  There is no EGL device";
   for (const DisplayCandidate& candidate : list.candidates) {
     if (candidate.kind == DisplayCandidate::Kind::Device) text += "\n  " + candidate.text();
   }
@@ -66,11 +66,9 @@ std::string devicesFailure(const DisplayCandidates& list) {
 /// `rejections`: a line for each candidate that was tried.
 [[noreturn]] void refuseAll(const DisplayCandidates& list, const DeviceChoice& choice,
                             const std::string& rejections) {
-  std::string message = "can't draw: no " + textOf(choice);
-  if (choice.requireHardware)
-    message += " draws in hardware, which is required:";
-  else
-    message += " gives an OpenGL 3.3 core context:";
+  std::string message = fmt::format("can't draw: no {} {}:", textOf(choice),
+                                    choice.requireHardware ? "draws in hardware, which is required"
+                                                           : "gives an OpenGL 3.3 core context");
   if (choice.kind == DeviceChoice::Kind::Any) message += devicesFailure(list);
   message += rejections;
   const bool isOneDevice =
@@ -88,8 +86,9 @@ std::string fallbackWarning(const std::string& renderer, const DisplayCandidates
   if (reason.empty() && !list.unlistedCard.empty())
     reason = "EGL doesn't list " + list.unlistedCard;
   if (reason.empty()) return "";
-  return "software draws (" + renderer + ") in place of hardware: " + reason +
-         "; run 'rotatebook doctor' for the remedy";
+  return fmt::format(
+      "software draws ({}) in place of hardware: {}; run 'rotatebook doctor' for the remedy",
+      renderer, reason);
 }
 
 /// Tries candidates one after the other and keeps the reasons why they were rejected.
@@ -104,7 +103,7 @@ class DisplaySelection {
     const Attempt tried = attempt();
     if (tried.failure) {
       if (candidate.isHardware() && hardwareFailure_.empty())
-        hardwareFailure_ = candidate.text() + ": " + tried.failure->text();
+        hardwareFailure_ = fmt::format("{}: {}", candidate.text(), tried.failure->text());
       return reject(candidate, tried.failure->text());
     }
     const bool software = candidate.software || isSoftwareRenderer(tried.renderer);
@@ -124,7 +123,7 @@ class DisplaySelection {
 
  private:
   bool reject(const DisplayCandidate& candidate, const std::string& reason) {
-    rejections_ += "\n  " + candidate.text() + ": " + reason;
+    rejections_ += fmt::format("\n  {}: {}", candidate.text(), reason);
     return false;
   }
 
@@ -142,15 +141,15 @@ const char* const kInstallMesa =
 const char* const kDoctorHint = "\n  Run 'rotatebook doctor' for the cause and the remedy.";
 
 std::string DisplayCandidate::name() const {
-  if (kind == Kind::Device) return "EGL device " + std::to_string(index);
+  if (kind == Kind::Device) return fmt::format("EGL device {}", index);
   return kind == Kind::Surfaceless ? "surfaceless EGL" : "default EGL display";
 }
 
 std::string DisplayCandidate::text() const {
   const std::string facts =
       joined({renderNode.empty() ? drmNode : renderNode,
-              cudaId ? "cuda:" + std::to_string(*cudaId) : "", software ? "software" : ""});
-  return name() + (facts.empty() ? "" : " (" + facts + ")");
+              cudaId ? fmt::format("cuda:{}", *cudaId) : "", software ? "software" : ""});
+  return facts.empty() ? name() : fmt::format("{} ({})", name(), facts);
 }
 
 bool DisplayCandidates::hasDevices() const {

@@ -1,5 +1,7 @@
 #include "render/device/egl_context.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "render/device/egl_displays.h"
 #include "render/device/open_context.h"
@@ -8,8 +10,8 @@ namespace rotatebook::render {
 
 EglContext::EglContext(const DeviceChoice& choice) {
   if (const auto missing = missingLibrary()) {
-    throw MachineError("can't draw: EGL or OpenGL is not installed: " + missing->error + "\n  " +
-                       kInstallMesa);
+    throw MachineError(fmt::format("can't draw: EGL or OpenGL is not installed: {}\n  {}",
+                                   missing->error, kInstallMesa));
   }
   const EglDisplays candidates = listDisplays();
   const ChosenDisplay chosen =
@@ -21,8 +23,8 @@ EglContext::EglContext(const DeviceChoice& choice) {
         return {.renderer = open_->info().renderer};
       });
   const ContextInfo& info = open_->info();
-  description_ = info.renderer + ", OpenGL " + info.version + ", " +
-                 candidates.list.candidates[chosen.candidate].name();
+  description_ = fmt::format("{}, OpenGL {}, {}", info.renderer, info.version,
+                             candidates.list.candidates[chosen.candidate].name());
   if (choice.warn && !chosen.warning.empty()) choice.warn(chosen.warning);
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <unistd.h>
 
+#include <fmt/core.h>
+
 #include "render/device/egl_error.h"
 
 namespace rotatebook::render {
@@ -99,7 +101,7 @@ EglDisplays listDisplays() {
       {"eglGetDisplay", [] { return eglGetDisplay(EGL_DEFAULT_DISPLAY); }});
   if (std::ranges::none_of(candidates.list.candidates, &DisplayCandidate::nvidia) &&
       access(kNvidiaCard, F_OK) == 0) {
-    candidates.list.unlistedCard = std::string("NVIDIA's card (") + kNvidiaCard + ")";
+    candidates.list.unlistedCard = fmt::format("NVIDIA's card ({})", kNvidiaCard);
   }
   return candidates;
 }

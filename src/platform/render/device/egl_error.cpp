@@ -3,6 +3,7 @@
 #include <array>
 
 #include <epoxy/egl.h>
+#include <fmt/core.h>
 
 namespace rotatebook::render {
 namespace {
@@ -38,7 +39,7 @@ std::string takeEglError() {
   for (const NamedError& error : kErrors) {
     if (error.code == code) return error.name;
   }
-  return "EGL error " + std::to_string(code);
+  return fmt::format("EGL error {}", code);
 }
 
 }  // namespace rotatebook::render

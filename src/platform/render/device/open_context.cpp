@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include <epoxy/gl.h>
+#include <fmt/core.h>
 
 #include "render/device/egl_error.h"
 
@@ -74,7 +75,7 @@ std::string glText(GLenum name) {
 ContextInfo infoOfCurrent() {
   ContextInfo info{glText(GL_VENDOR), glText(GL_RENDERER), "", 0};
   const int version = epoxy_gl_version();
-  info.version = std::to_string(version / 10) + "." + std::to_string(version % 10);
+  info.version = fmt::format("{}.{}", version / 10, version % 10);
   glGetIntegerv(GL_MAX_SAMPLES, &info.samples);
   return info;
 }

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -23,18 +25,19 @@ void attach(GLenum attachment, const GlRenderbuffer& buffer) {
 void requireComplete(int width, int height) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
-  throw MachineError("can't draw: OpenGL refuses a frame buffer of " + sizeText(width, height) +
-                     " pixels (status " + std::to_string(status) +
-                     "); make the picture smaller, or leave out look.supersample");
+  throw MachineError(
+      fmt::format("can't draw: OpenGL refuses a frame buffer of {} pixels (status {}); make the "
+                  "picture smaller, or leave out look.supersample",
+                  sizeText(width, height), status));
 }
 
 void requireLimit(int width, int height) {
   GLint largestSide = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largestSide);
   if (width <= largestSide && height <= largestSide) return;
-  throw InputError("a picture of " + sizeText(width, height) +
-                   " is too large: this renderer draws up to " + std::to_string(largestSide) +
-                   " pixels a side");
+  throw InputError(
+      fmt::format("a picture of {} is too large: this renderer draws up to {} pixels a side",
+                  sizeText(width, height), largestSide));
 }
 
 }  // namespace

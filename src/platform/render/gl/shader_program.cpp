@@ -1,5 +1,7 @@
 #include "render/gl/shader_program.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::render {
@@ -36,7 +38,7 @@ void attach(GLuint program, GLenum type, const std::string& name, const ShaderSo
   GLint compiled = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_FALSE) {
-    throw MachineError("can't compile the shader " + name + ": " + compilerLog(shader));
+    throw MachineError(fmt::format("can't compile the shader {}: {}", name, compilerLog(shader)));
   }
 }
 
@@ -52,7 +54,8 @@ ShaderProgram::ShaderProgram(const std::string& name, const ShaderSource& vertex
   GLint linked = 0;
   glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);
   if (linked == GL_FALSE) {
-    throw MachineError("can't link the shaders " + name + ": " + linkerLog(program_.name()));
+    throw MachineError(
+        fmt::format("can't link the shaders {}: {}", name, linkerLog(program_.name())));
   }
 }
 

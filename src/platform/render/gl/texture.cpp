@@ -4,6 +4,8 @@
 #include <cstring>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "image/downsample.h"
@@ -18,9 +20,9 @@ void refuseOversize(image::ImageView picture) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (picture.width <= largest && picture.height <= largest) return;
-  throw InputError("a texture of " + sizeText(picture.width, picture.height) +
-                   " pixels is too large: this renderer takes up to " + std::to_string(largest) +
-                   " a side");
+  throw InputError(
+      fmt::format("a texture of {} pixels is too large: this renderer takes up to {} a side",
+                  sizeText(picture.width, picture.height), largest));
 }
 
 // OpenGL's first row is the lowest; ours is the highest.

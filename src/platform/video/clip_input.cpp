@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/read_file.h"
 #include "video/whole_file.h"
@@ -30,8 +32,7 @@ bool isOfNoFormat(int result) {
 }
 
 bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
-  return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
-         std::string::npos;
+  return fmt::format(",{},", demuxer.name).find(fmt::format(",{},", name)) != std::string::npos;
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ ClipInput::ClipInput(const std::filesystem::path& path, bool FormatRow::*wanted)
   try {
     system::openFile(path);
   } catch (const InputError& error) {
-    throw InputError("can't read " + name_ + ": " + error.what());
+    throw InputError(fmt::format("can't read {}: {}", name_, error.what()));
   }
   // FFmpeg would take "a:b.mp4" for a protocol named a.
   open(nullptr, "file:" + name_, wanted);
@@ -110,7 +111,8 @@ void ClipInput::open(AVFormatContext* context, const std::string& url, bool Form
   // Frees `context` if it fails.
   const int result = avformat_open_input(&context, url.c_str(), nullptr, options.address());
   if (isOfNoFormat(result) && !beginsAsClip()) {
-    throw InputError(name_ + " isn't an " + listFormats(&FormatRow::title, "or", wanted));
+    throw InputError(
+        fmt::format("{} isn't an {}", name_, listFormats(&FormatRow::title, "or", wanted)));
   }
   checkInput(result, "can't read " + name_);
   context_.reset(context);
@@ -128,9 +130,9 @@ AVStream& ClipInput::stream() const {
   if (one && context_->streams[0]->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) {
     return *context_->streams[0];
   }
-  throw InputError(name_ + " has " +
-                   (one ? "no video stream" : std::to_string(context_->nb_streams) + " streams") +
-                   "; a clip has exactly one stream, of video");
+  throw InputError(
+      fmt::format("{} has {}; a clip has exactly one stream, of video", name_,
+                  one ? "no video stream" : fmt::format("{} streams", context_->nb_streams)));
 }
 
 void ClipInput::probe() {

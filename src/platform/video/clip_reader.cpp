@@ -7,6 +7,7 @@
 #include <vector>
 
 extern "C" {
+#include <fmt/core.h>
 #include <libavutil/pixdesc.h>
 }
 
@@ -21,9 +22,9 @@ namespace {
 ClipMetadata metadataOf(const ClipInput& input) {
   const VideoFormat format = input.format();
   if (!rowOf(format).holdsRecord) {
-    throw InputError(input.name() + " is in the format " + std::string(nameOf(format)) +
-                     ", which holds no record of the scene; " +
-                     listFormats(&FormatRow::title, "and", &FormatRow::holdsRecord) + " do");
+    throw InputError(fmt::format(
+        "{} is in the format {}, which holds no record of the scene; {} do", input.name(),
+        nameOf(format), listFormats(&FormatRow::title, "and", &FormatRow::holdsRecord)));
   }
   input.stream();
   const AVDictionary* entries = input.context().metadata;
@@ -50,7 +51,7 @@ ColourTags coloursOf(const ClipInput& input) {
 /// Returns the pixel aspect ratio; players show pixels without one as squares.
 std::string shapeText(AVRational shape) {
   if (shape.num == 0) return "1:1";
-  return std::to_string(shape.num) + ":" + std::to_string(shape.den);
+  return fmt::format("{}:{}", shape.num, shape.den);
 }
 
 /// Returns FFmpeg's names of what the stream says beside a picture, but for notes of the encoder.
@@ -85,8 +86,8 @@ void requireCodecOfClips(const ClipInput& input) {
   const std::string codec = avcodec_get_name(input.stream().codecpar->codec_id);
   const auto has = [&](const FormatRow& row) { return row.holdsRecord && row.codec == codec; };
   if (std::ranges::any_of(kFormatRows, has)) return;
-  throw InputError("the codec of " + input.name() + " is " + codec + "; a clip's is " +
-                   listFormats(&FormatRow::codec, "or", &FormatRow::holdsRecord));
+  throw InputError(fmt::format("the codec of {} is {}; a clip's is {}", input.name(), codec,
+                               listFormats(&FormatRow::codec, "or", &FormatRow::holdsRecord)));
 }
 
 /// Reads the container's colours before it probes the stream, as FFmpeg keeps only one of the two.
@@ -99,8 +100,8 @@ ClipFacts factsOf(ClipInput& input) {
   const AVStream& stream = input.stream();
   const AVCodecParameters& codec = *stream.codecpar;
   if (codec.format == AV_PIX_FMT_NONE) {
-    throw InputError(input.name() + " is damaged: its first pictures can't be decoded" +
-                     kCopyRemedy);
+    throw InputError(fmt::format("{} is damaged: its first pictures can't be decoded{}",
+                                 input.name(), kCopyRemedy));
   }
   facts.format = input.format();
   facts.title = Dictionary::valueIn(input.context().metadata, "title");
@@ -132,8 +133,8 @@ const AVCodec& decoderFor(const ClipInput& input, bool alpha) {
   if (alpha && codec == AV_CODEC_ID_VP9) decoder = avcodec_find_decoder_by_name("libvpx-vp9");
   if (decoder == nullptr) decoder = avcodec_find_decoder(codec);
   if (decoder == nullptr)
-    throw MachineError("FFmpeg's libavcodec has no decoder for " +
-                       std::string(avcodec_get_name(codec)));
+    throw MachineError(
+        fmt::format("FFmpeg's libavcodec has no decoder for {}", avcodec_get_name(codec)));
   return *decoder;
 }
 
@@ -197,7 +198,7 @@ struct ClipReader::Parts {
   }
 
   std::string failure() const {
-    return input.name() + " is damaged: can't decode picture " + std::to_string(count);
+    return fmt::format("{} is damaged: can't decode picture {}", input.name(), count);
   }
 
   /// Returns whether the decoder had a picture ready.
@@ -266,8 +267,8 @@ bool ClipReader::next() {
   AVFrame& frame = *parts_->frame;
   checkInput(av_frame_apply_cropping(&frame, AV_FRAME_CROP_UNALIGNED), parts_->failure());
   if (frame.width != parts_->facts.width || frame.height != parts_->facts.height) {
-    throw InputError("picture " + std::to_string(parts_->count) + " of " + parts_->input.name() +
-                     " isn't of the clip's size");
+    throw InputError(fmt::format("picture {} of {} isn't of the clip's size", parts_->count,
+                                 parts_->input.name()));
   }
   ++parts_->count;
   return true;

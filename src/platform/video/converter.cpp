@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -9,8 +11,8 @@ namespace rotatebook::video {
 
 void requireSize(const image::ImageView& picture, int width, int height) {
   if (picture.width == width && picture.height == height) return;
-  throw InputError("can't encode a picture of " + sizeText(picture.width, picture.height) +
-                   ": the video is " + sizeText(width, height));
+  throw InputError(fmt::format("can't encode a picture of {}: the video is {}",
+                               sizeText(picture.width, picture.height), sizeText(width, height)));
 }
 
 Handle<AVFrame> makeFrame(int width, int height, AVPixelFormat format) {

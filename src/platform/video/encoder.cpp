@@ -2,32 +2,30 @@
 
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::video {
 namespace {
 
-std::string sideText(const char* side, int pixels) {
-  return std::string("video ") + side + " " + std::to_string(pixels);
-}
-
 void requireLargeEnough(const char* side, int pixels) {
   if (pixels >= kSmallestSide) return;
-  throw InputError(sideText(side, pixels) + ": the smallest is " + std::to_string(kSmallestSide));
+  throw InputError(fmt::format("video {} {}: the smallest is {}", side, pixels, kSmallestSide));
 }
 
 void requireEven(const char* side, int pixels, const std::string& codec) {
   if (pixels % 2 == 0) return;
-  throw InputError(sideText(side, pixels) + " is odd, and " + codec +
-                   "'s 4:2:0 colour needs it even: take " + std::to_string(pixels - 1) + " or " +
-                   std::to_string(pixels + 1));
+  throw InputError(
+      fmt::format("video {} {} is odd, and {}'s 4:2:0 colour needs it even: take {} or {}", side,
+                  pixels, codec, pixels - 1, pixels + 1));
 }
 
 }  // namespace
 
 Encoder::Encoder(const std::string& kind, Handle<AVCodecContext> context, Dictionary& options)
     : name_(context->codec->name),
-      label_("the " + kind + " encoder " + name_),
+      label_(fmt::format("the {} encoder {}", kind, name_)),
       context_(std::move(context)),
       packet_(owned(av_packet_alloc())) {
   check(avcodec_open2(context_.get(), nullptr, options.address()), label_ + " doesn't start");
@@ -49,8 +47,8 @@ AVPacket* Encoder::receive() {
 const AVCodec& encoderNamed(const EncoderNeed& need) {
   const AVCodec* encoder = avcodec_find_encoder_by_name(need.name);
   if (encoder != nullptr) return *encoder;
-  throw MachineError(std::string("FFmpeg's libavcodec has no encoder ") + need.name + ": " +
-                     need.remedy);
+  throw MachineError(
+      fmt::format("FFmpeg's libavcodec has no encoder {}: {}", need.name, need.remedy));
 }
 
 Handle<AVCodecContext> makeContext(const AVCodec& encoder, const VideoSettings& settings) {
@@ -77,10 +75,10 @@ void requireSizeAndRate(const VideoSettings& settings) {
   requireLargeEnough("width", settings.width);
   requireLargeEnough("height", settings.height);
   if (settings.frameRate.numerator <= 0 || settings.frameRate.denominator <= 0) {
-    throw InputError("video frame rate " + settings.frameRate.text() + " isn't above 0");
+    throw InputError(fmt::format("video frame rate {} isn't above 0", settings.frameRate.text()));
   }
   if (settings.threads < 1) {
-    throw InputError("video threads " + std::to_string(settings.threads) + ": at least 1");
+    throw InputError(fmt::format("video threads {}: at least 1", settings.threads));
   }
 }
 

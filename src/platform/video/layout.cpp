@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstddef>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 
 namespace rotatebook::video {
@@ -126,8 +128,8 @@ class LayoutMatcher {
       const std::size_t row = rowFor(*part, first, level, counts);
       if (row == rows_.size()) return oddPart(*part, first, level, outer);
       if (row < last && order_ == PartOrder::AsRows) {
-        return nameIn(outer) + " has its " + nameOf(rows_[last]) + " before its " +
-               nameOf(rows_[row]);
+        return fmt::format("{} has its {} before its {}", nameIn(outer), nameOf(rows_[last]),
+                           nameOf(rows_[row]));
       }
       last = row;
       const std::string inner = differenceIn(row, pathOf(outer, nameOf(rows_[row])), *part);
@@ -181,8 +183,9 @@ class LayoutMatcher {
     forEachRow(first, level, [&](std::size_t row) {
       if (rows_[row].id == part.id) known = nameOf(rows_[row]);
     });
-    if (known.empty()) return nameIn(outer) + " holds a foreign \"" + oneLine(part.id) + "\"";
-    return nameIn(outer) + " holds one " + known + " too many";
+    if (known.empty())
+      return fmt::format("{} holds a foreign \"{}\"", nameIn(outer), oneLine(part.id));
+    return fmt::format("{} holds one {} too many", nameIn(outer), known);
   }
 
   std::string missing(std::size_t first, int level, const std::string& outer,
@@ -190,7 +193,7 @@ class LayoutMatcher {
     std::string text;
     forEachRow(first, level, [&](std::size_t row) {
       if (text.empty() && counts[row] < rows_[row].min) {
-        text = nameIn(outer) + " lacks " + nameOf(rows_[row]);
+        text = fmt::format("{} lacks {}", nameIn(outer), nameOf(rows_[row]));
       }
     });
     return text;

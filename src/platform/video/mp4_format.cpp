@@ -1,11 +1,12 @@
 // H.264 in MP4.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "base/clip_limits.h"
 #include "base/error.h"
@@ -22,16 +23,16 @@ constexpr EncoderNeed kBestEncoder = rowOf(VideoFormat::Mp4).encoder;
 
 void requireKnownPreset(const std::string& preset) {
   if (std::find(kVideoPresets.begin(), kVideoPresets.end(), preset) != kVideoPresets.end()) return;
-  throw InputError("unknown video preset \"" + preset + "\"; valid are " +
-                   joined({kVideoPresets.begin(), kVideoPresets.end()}));
+  throw InputError(fmt::format("unknown video preset \"{}\"; valid are {}", preset,
+                               joined({kVideoPresets.begin(), kVideoPresets.end()})));
 }
 
 void validate(const VideoSettings& settings) {
   requireEvenSize(settings, "H.264");
   requireKnownPreset(settings.preset);
   if (settings.crf < kBestCrf || settings.crf > kWorstCrf) {
-    throw InputError("video crf " + std::to_string(settings.crf) + " is outside " +
-                     std::to_string(kBestCrf) + " to " + std::to_string(kWorstCrf));
+    throw InputError(
+        fmt::format("video crf {} is outside {} to {}", settings.crf, kBestCrf, kWorstCrf));
   }
 }
 
@@ -94,10 +95,8 @@ void setX264Options(const VideoSettings& settings, Dictionary& options) {
 }  // namespace
 
 std::vector<std::string> noteSettings(int crf, std::string_view preset) {
-  std::array<char, 16> text{};
-  std::snprintf(text.data(), text.size(), "crf=%.1f", rateFactorOf(crf, preset));
   std::vector<std::string> settings = presetSettings(preset);
-  settings.emplace_back(text.data());
+  settings.push_back(fmt::format("crf={:.1f}", rateFactorOf(crf, preset)));
   return settings;
 }
 
@@ -106,7 +105,7 @@ std::vector<std::string> presetSettings(std::string_view preset) {
   constexpr std::array<int, kVideoPresets.size()> kSubme{0, 0, 1, 2, 4, 6, 7, 8, 9, 10, 11};
   const auto place = std::ranges::find(kVideoPresets, preset) - kVideoPresets.begin();
   std::vector<std::string> settings{
-      "rc=crf", "8x8dct=1", "subme=" + std::to_string(kSubme.at(static_cast<std::size_t>(place)))};
+      "rc=crf", "8x8dct=1", fmt::format("subme={}", kSubme.at(static_cast<std::size_t>(place)))};
   if (preset != kBookPreset) return settings;
   for (const char* own : {"weightp=0", "scenecut=0", "aq=1:0.50", "cabac=0"})
     settings.emplace_back(own);

@@ -3,6 +3,7 @@
 #include <string>
 
 extern "C" {
+#include <fmt/core.h>
 #include <libavfilter/buffersink.h>
 #include <libavfilter/buffersrc.h>
 
@@ -58,9 +59,9 @@ PaletteConverter::PaletteConverter(int width, int height, int every)
       frame_(owned(av_frame_alloc())) {
   if (!graph_) throw std::bad_alloc();
   graph_->nb_threads = 1;
-  const std::string size = sizeText(width, height);
   source_ = addFilter(graph_.get(), "buffer", "in",
-                      "video_size=" + size + ":pix_fmt=rgb24:time_base=1/1:pixel_aspect=1/1");
+                      fmt::format("video_size={}:pix_fmt=rgb24:time_base=1/1:pixel_aspect=1/1",
+                                  sizeText(width, height)));
   sink_ = addFilter(graph_.get(), "buffersink", "out", "");
   parse(graph_.get(), source_, sink_);
 }

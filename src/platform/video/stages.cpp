@@ -1,5 +1,7 @@
 #include "video/stages.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::video {
@@ -7,8 +9,9 @@ namespace rotatebook::video {
 Stages makeStages(VideoFormat format, const VideoSettings& settings) {
   requireSizeAndRate(settings);
   if (settings.transparent && !keepsTransparency(format)) {
-    throw InputError(std::string(nameOf(format)) + " can't hold a transparent picture; " +
-                     listFormats(&FormatRow::name, "and", &FormatRow::keepsTransparency) + " can");
+    throw InputError(
+        fmt::format("{} can't hold a transparent picture; {} can", nameOf(format),
+                    listFormats(&FormatRow::name, "and", &FormatRow::keepsTransparency)));
   }
   return rowOf(format).makeStages(settings);
 }

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 namespace rotatebook::video {
 namespace {
 
@@ -105,13 +107,9 @@ std::string hexText(std::uint64_t number) {
 
 /// Returns the clip's length in the muxer's words, "00:00:01.500000000".
 std::string durationText(std::int64_t milliseconds) {
-  const auto digits = [](std::int64_t number, std::size_t count) {
-    const std::string text = std::to_string(number);
-    return std::string(count - std::min(count, text.size()), '0') + text;
-  };
   const std::int64_t seconds = milliseconds / 1000;
-  return digits(seconds / 3600, 2) + ":" + digits(seconds / 60 % 60, 2) + ":" +
-         digits(seconds % 60, 2) + "." + digits(milliseconds % 1000, 3) + "000000";
+  return fmt::format("{:02}:{:02}:{:02}.{:03}000000", seconds / 3600, seconds / 60 % 60,
+                     seconds % 60, milliseconds % 1000);
 }
 
 /// Returns when frame `n` is shown, as the muxer rounds it. [ms]

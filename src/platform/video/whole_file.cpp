@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "video/mp4_layout.h"
 #include "video/webm_layout.h"
@@ -17,13 +19,12 @@ constexpr std::string_view kSegment = "\x18\x53\x80\x67";
 constexpr int kMaxFileBoxes = 1000;  // Limit on the outer boxes of an MP4; there are four.
 
 [[noreturn]] void throwTruncated(const std::string& name, const std::string& problem) {
-  throw InputError(name + " ends early, or is damaged: " + problem + kCopyRemedy);
+  throw InputError(fmt::format("{} ends early, or is damaged: {}{}", name, problem, kCopyRemedy));
 }
 
 void requireSize(std::uint64_t size, std::uint64_t stated, const std::string& name) {
   if (size >= stated) return;
-  throwTruncated(
-      name, "it has " + std::to_string(size) + " of at least " + std::to_string(stated) + " bytes");
+  throwTruncated(name, fmt::format("it has {} of at least {} bytes", size, stated));
 }
 
 /// Reads on; returns whether `file` continues with `bytes`.

@@ -2,6 +2,8 @@
 
 #include <fstream>
 
+#include <fmt/core.h>
+
 #include "video/clip_input.h"
 #include "video/coded_units.h"
 #include "video/mp4_layout.h"
@@ -56,8 +58,8 @@ Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string
                                      : h264PictureOf(bytes, form, payload.sizes.empty(),
                                                      av_rescale_q(packet->pts, tick, frame), order);
     if (difference.empty() && !picture.difference.empty()) {
-      difference = "picture " + std::to_string(payload.sizes.size()) + ", as coded, holds " +
-                   picture.difference;
+      difference =
+          fmt::format("picture {}, as coded, holds {}", payload.sizes.size(), picture.difference);
     }
     const std::int64_t delay = packet->pts - packet->dts;
     if (payload.sizes.empty()) payload.delay = av_rescale_q(delay, input.stream().time_base, frame);

@@ -1,12 +1,12 @@
 #include "store/clip_files.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <regex>
 #include <string_view>
 #include <system_error>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/parsed_number.h"
@@ -21,13 +21,6 @@ constexpr std::string_view kPrefix = "frame_";
 constexpr std::string_view kSuffix = ".png";
 constexpr std::string_view kChecksumsPrefix = "frames.";
 constexpr std::string_view kChecksumsSuffix = ".xxh128";
-
-std::string paddedNumber(std::int64_t number) {
-  std::array<char, 32> buffer;
-  const int length =
-      std::snprintf(buffer.data(), buffer.size(), "%05lld", static_cast<long long>(number));
-  return {buffer.data(), static_cast<std::size_t>(length)};
-}
 
 bool isPartChecksumsName(std::string_view name) {
   return name.starts_with(kChecksumsPrefix) && name.ends_with(kChecksumsSuffix) &&
@@ -53,7 +46,7 @@ std::string slugOf(const std::string& label) {
 }  // namespace
 
 std::string rangeText(FrameRange range) {
-  return std::to_string(range.first) + ":" + std::to_string(range.end);
+  return fmt::format("{}:{}", range.first, range.end);
 }
 
 std::optional<FrameRange> parseRange(const std::string& text) {
@@ -75,7 +68,7 @@ FrameRange framesOf(const ClipPart& part, std::int64_t frames) {
 }
 
 std::string frameName(std::int64_t index) {
-  return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
+  return fmt::format("{}{:05}{}", kPrefix, index, kSuffix);
 }
 
 std::optional<std::int64_t> frameIndex(const std::string& name) {
@@ -92,7 +85,8 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder, error)) {
     if (const auto index = frameIndex(entry.path().filename().string())) indices.push_back(*index);
   }
-  if (error) throw InputError("can't read the folder " + folder.string() + ": " + error.message());
+  if (error)
+    throw InputError(fmt::format("can't read the folder {}: {}", folder.string(), error.message()));
   std::sort(indices.begin(), indices.end());
   return indices;
 }
@@ -117,7 +111,7 @@ std::vector<std::string> partChecksumsIn(const fs::path& folder) {
 }
 
 std::string framesText(std::int64_t count) {
-  return std::to_string(count) + (count == 1 ? " frame" : " frames");
+  return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
 }
 
 fs::path ClipFiles::video(video::VideoFormat format) const {
@@ -143,8 +137,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
   ClipFiles files = clipFiles(folder, name);
-  const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
-  files.videoStem = folder / partName;
+  files.videoStem = folder / fmt::format("{}_{:05}-{:05}", name, part.first, part.end);
   files.poster.clear();
   return files;
 }
@@ -166,7 +159,7 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
     const auto path = [&] { return csv.parent_path() / (name + csv.extension().string()); };
     const auto taken = [&] { return std::ranges::count(files, path()) > 0; };
     if (name.ends_with('_') || taken()) name += std::to_string(i + 1);
-    while (taken()) name += "-" + std::to_string(i + 1);
+    while (taken()) name += fmt::format("-{}", i + 1);
     files.push_back(path());
   }
   return files;

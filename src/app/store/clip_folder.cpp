@@ -8,6 +8,8 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "store/clip_replacement.h"
 #include "store/folder_guard.h"
@@ -196,8 +198,10 @@ void ClipFolder::requireReplaceableFolder(bool png) const {
   if (png && obstacle.empty()) obstacle = system::obstacleToMovingFolders(files_.frameFolder);
   if (png && obstacle.empty()) obstacle = system::obstacleToRemoval(files_.frameFolder);
   if (obstacle.empty()) return;
-  throw MachineError("can't replace the clip in " + files_.frameFolder.string() + "/: " + obstacle +
-                     "; have its owner remove it, or render into another folder with -o");
+  throw MachineError(
+      fmt::format("can't replace the clip in {}/: {}; have its owner remove it, or render into "
+                  "another folder with -o",
+                  files_.frameFolder.string(), obstacle));
 }
 
 void ClipFolder::begin(const fs::path& folder, const std::string& record) {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/error.h"
 #include "base/text.h"
@@ -34,7 +36,7 @@ constexpr std::string_view kHeaderEnd = "\n\n";
 constexpr std::size_t kLargestRecord = 1 << 20;  // Scenes take a few thousand. [bytes]
 
 std::string line(std::string_view name, const std::string& value) {
-  return std::string(name) + oneLine(value) + '\n';
+  return fmt::format("{}{}\n", name, oneLine(value));
 }
 
 /// Returns what follows `name` on its line; empty if `header` has no such line.
@@ -46,7 +48,7 @@ std::string valueIn(std::string_view header, std::string_view name) {
 }
 
 [[noreturn]] void throwDamaged(const fs::path& clip, const std::string& problem) {
-  throw InputError("the record in " + clip.string() + " is damaged: " + problem);
+  throw InputError(fmt::format("the record in {} is damaged: {}", clip.string(), problem));
 }
 
 /// Reads the program's version and the scene's name from the first line.
@@ -57,7 +59,8 @@ void readOrigin(std::string_view header, const fs::path& clip, Provenance& prove
   provenance.program = origin.substr(0, middle);
   provenance.scene = origin.substr(middle + kFromScene.size());
   if (const std::string problem = problemOfName(provenance.scene); !problem.empty()) {
-    throwDamaged(clip, "its scene's name " + quotedText(provenance.scene) + " " + problem);
+    throwDamaged(clip,
+                 fmt::format("its scene's name {} {}", quotedText(provenance.scene), problem));
   }
 }
 
@@ -93,8 +96,8 @@ scene::Scene sceneIn(const std::string& text, const std::string& name, const fs:
 void compareTools(const char* tool, const std::string& there, const std::string& here,
                   std::vector<std::string>& found) {
   if (there == here) return;
-  found.push_back(std::string(tool) + " was " + (there.empty() ? "not recorded" : there) +
-                  ", here it is " + here);
+  found.push_back(
+      fmt::format("{} was {}, here it is {}", tool, there.empty() ? "not recorded" : there, here));
 }
 
 /// Returns whether the file of a texture or of a recording is missing.
@@ -201,7 +204,8 @@ std::vector<std::string> differencesOfTools(const Provenance& there, const Prove
   compareTools("the renderer", there.renderer, here.renderer, found);
   compareTools("FFmpeg", there.ffmpeg, here.ffmpeg, found);
   if (!there.textures.empty() && there.textures != here.textures) {
-    found.push_back("the textures were " + there.textures + ", here they are " + here.textures);
+    found.push_back(
+        fmt::format("the textures were {}, here they are {}", there.textures, here.textures));
   }
   return found;
 }

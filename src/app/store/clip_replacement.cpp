@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "store/folder_guard.h"
 #include "store/frame_checksums.h"
@@ -20,7 +22,7 @@ void moveTo(const fs::path& from, const fs::path& to) {
   fs::rename(from, to, error);
   if (error) {
     throw MachineError(
-        "can't move " + from.string() + " to " + to.string() + ": " + error.message(),
+        fmt::format("can't move {} to {}: {}", from.string(), to.string(), error.message()),
         system::kindOfError(error.value()));
   }
 }
@@ -74,8 +76,8 @@ std::string obstacleToDiscarding(const ClipFiles& files) {
   if (obstacle.empty()) obstacle = system::obstacleToEmptying(folder);
   if (obstacle.empty()) obstacle = system::obstacleToMovingFolders(folder);
   if (obstacle.empty()) return "";
-  return "the earlier clip in " + folder.string() + "/ can't be removed: " + obstacle +
-         "; have its owner remove it";
+  return fmt::format("the earlier clip in {}/ can't be removed: {}; have its owner remove it",
+                     folder.string(), obstacle);
 }
 
 void replaceFolder(const ClipFiles& files) {

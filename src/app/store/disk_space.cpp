@@ -4,6 +4,8 @@
 #include <cmath>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -55,20 +57,21 @@ DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
   if (error)
-    throw MachineError("can't read the free space of " + folder.string() + ": " + error.message());
+    throw MachineError(
+        fmt::format("can't read the free space of {}: {}", folder.string(), error.message()));
   return {bytesNeeded(scene, files), static_cast<double>(space.available)};
 }
 
 std::string spaceWarning(const DiskSpace& space, const std::filesystem::path& folder, bool pngs) {
   if (space.needed <= space.free) return "";
   const auto sized = [](double bytes) {
-    if (bytes < 1e6) return std::to_string(std::llround(bytes / 1e3)) + " kB";
-    return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
-                       : roundedText(bytes / 1e9, 2) + " GB";
+    if (bytes < 1e6) return fmt::format("{} kB", std::llround(bytes / 1e3));
+    return bytes < 1e9 ? fmt::format("{} MB", std::llround(bytes / 1e6))
+                       : fmt::format("{} GB", roundedText(bytes / 1e9, 2));
   };
-  return "about " + sized(space.needed) + " are needed in " + oneLine(folder.string()) + " and " +
-         sized(space.free) + " are free: make room" +
-         (pngs ? ", or leave PNGs out with --no-png" : "");
+  return fmt::format("about {} are needed in {} and {} are free: make room{}", sized(space.needed),
+                     oneLine(folder.string()), sized(space.free),
+                     pngs ? ", or leave PNGs out with --no-png" : "");
 }
 
 }  // namespace rotatebook::store

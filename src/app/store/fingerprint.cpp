@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/document/toml_tree.h"
 #include "base/error.h"
@@ -34,7 +36,7 @@ void flatten(const document::TomlNode& node, const std::string& key, Entries& va
     }
   } else if (const auto* array = std::get_if<document::TomlNode::Array>(&node.value)) {
     for (std::size_t i = 0; i < array->size(); ++i) {
-      flatten((*array)[i], key + '[' + std::to_string(i) + ']', values);
+      flatten((*array)[i], fmt::format("{}[{}]", key, i), values);
     }
   } else {
     values[key] = describe(node);
@@ -61,7 +63,7 @@ void addDifferences(const Entries& there, const Entries& here, std::vector<std::
     const auto a = there.find(key), b = here.find(key);
     const std::string old = a != there.end() ? a->second : kNone;
     const std::string now = b != here.end() ? b->second : kNone;
-    if (old != now) found.push_back(key + " is " + old + " there, " + now + " here");
+    if (old != now) found.push_back(fmt::format("{} is {} there, {} here", key, old, now));
   }
 }
 
@@ -70,7 +72,7 @@ std::string shortList(std::vector<std::string> found) {
   const std::size_t count = found.size();
   if (count > kMaxDifferences) {
     found.resize(kMaxDifferences);
-    found.push_back("and " + std::to_string(count - kMaxDifferences) + " more");
+    found.push_back(fmt::format("and {} more", count - kMaxDifferences));
   }
   return joined(found, "; ");
 }
@@ -80,7 +82,7 @@ constexpr std::string_view kHeadOfFilm = "# The film of a map.\n";
 
 /// Returns a checksum of this program and of what its results depend on.
 std::string checksumWithProgram(const std::string& settings) {
-  return checksumOf(std::string(kVersion) + "\n" + system::buildId() + "\n" + settings);
+  return checksumOf(fmt::format("{}\n{}\n{}", kVersion, system::buildId(), settings));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "store/clip_record.h"
 #include "store/fingerprint.h"
@@ -21,8 +23,8 @@ namespace fs = std::filesystem;
 std::string contentText(const fs::path& folder, const std::optional<Manifest>& there) {
   if (there && there->finished) return folder.string() + " holds the frames of a clip";
   if (!hasFrames(folder)) return folder.string() + " holds a scene.toml that no render left there";
-  return folder.string() + " holds " + framesText(std::ssize(framesIn(folder))) +
-         (knowsSettings(there) ? " of a render that wasn't finished" : " of unknown origin");
+  return fmt::format("{} holds {} of {}", folder.string(), framesText(std::ssize(framesIn(folder))),
+                     knowsSettings(there) ? "a render that wasn't finished" : "unknown origin");
 }
 
 /// Returns what follows contentText(): how the settings of the frames in `folder` differ.
@@ -51,17 +53,18 @@ void refuseForeignFiles(const fs::path& folder, const std::optional<Manifest>& t
                         const ClipSettings& settings) {
   if (settings.earlier.overwrite) return;
   if (hasForeignRecord(folder)) {
-    throw InputError(folder.string() + " holds a scene.toml that no render left there" +
-                     kForeignRemedy);
+    throw InputError(fmt::format("{} holds a scene.toml that no render left there{}",
+                                 folder.string(), kForeignRemedy));
   }
   // Frames that aren't of a finished clip are discarded by --overwrite alone
   if (!settings.png || !there || !there->finished) return;
   const bool redraws = settings.earlier.resume && isMadeWith(there, settings.made);
   const std::vector<std::int64_t> foreign = FrameChecksums(folder).foreignFrames(!redraws);
   if (foreign.empty()) return;
-  throw InputError((folder / frameName(foreign.front())).string() +
-                   (foreign.size() > 1 ? " and others there were" : " was") +
-                   " added or changed after the clip was made" + kForeignRemedy);
+  throw InputError(fmt::format("{} {} added or changed after the clip was made{}",
+                               (folder / frameName(foreign.front())).string(),
+                               foreign.size() > 1 ? "and others there were" : "was",
+                               kForeignRemedy));
 }
 
 void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& there,
@@ -98,8 +101,9 @@ void requireReplaceableFiles(const std::vector<fs::path>& files) {
     system::requireReplaceable(file);
     const std::string obstacle = system::obstacleToRemoval(file);
     if (obstacle.empty()) continue;
-    throw MachineError("can't replace " + file.string() + ": " + obstacle +
-                       "; have its owner remove it, or render into another folder with -o");
+    throw MachineError(fmt::format(
+        "can't replace {}: {}; have its owner remove it, or render into another folder with -o",
+        file.string(), obstacle));
   }
 }
 

@@ -7,6 +7,8 @@
 #include <sys/stat.h>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/clip_limits.h"
 #include "base/error.h"
@@ -23,7 +25,7 @@ constexpr std::string_view kSeparator = "  ";
 constexpr off_t kMaxFileBytes = 256'000'000;  // Four times the longest clip's. [bytes]
 
 std::string lineOf(std::int64_t index, const std::string& sum) {
-  return sum + std::string(kSeparator) + frameName(index) + '\n';
+  return fmt::format("{}{}{}\n", sum, kSeparator, frameName(index));
 }
 
 /// Returns the text of `file`; empty if it isn't there or can't be one of ours. Throws MachineError

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <variant>
 
+#include <fmt/core.h>
+
 #include "base/document/toml_text.h"
 #include "base/document/toml_tree.h"
 #include "base/error.h"
@@ -32,10 +34,9 @@ constexpr const char* kUnfinished = "unfinished";
 constexpr const char* kOther = "other";
 
 std::string tableText(const std::string& name, const Entries& entries) {
-  std::string text = "\n[" + name + "]\n";
-  for (const auto& [key, value] : entries) {
-    text += document::tomlString(key) + " = " + document::tomlString(value) + '\n';
-  }
+  std::string text = fmt::format("\n[{}]\n", name);
+  for (const auto& [key, value] : entries)
+    text += fmt::format("{} = {}\n", document::tomlString(key), document::tomlString(value));
   return text;
 }
 
@@ -136,12 +137,12 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
 std::string manifestText(const Manifest& manifest) {
   const bool hasFiles = manifest.finished || !manifest.own.files.empty();
   std::string text = kHead;
-  if (hasFiles && !manifest.finished) text += std::string(kUnfinished) + " = true\n";
+  if (hasFiles && !manifest.finished) text += fmt::format("{} = true\n", kUnfinished);
   text += tableText("made", manifest.own.made);
   if (hasFiles) text += tableText("files", manifest.own.files);
   for (const Manifest::Render& other : manifest.others) {
     const std::string table = kOther;
-    text += "\n[[" + table + "]]\n" + tableText(table + ".made", other.made) +
+    text += fmt::format("\n[[{}]]\n", table) + tableText(table + ".made", other.made) +
             tableText(table + ".files", other.files);
   }
   return text;

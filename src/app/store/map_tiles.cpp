@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/error.h"
 #include "system/atomic_file.h"
@@ -46,7 +48,7 @@ std::vector<fs::path> tilesIn(const fs::path& folder) {
     requireFile(entry->path());
     tiles.push_back(entry->path());
   }
-  if (error) throw InputError("can't read " + folder.string() + ": " + error.message());
+  if (error) throw InputError(fmt::format("can't read {}: {}", folder.string(), error.message()));
   return tiles;
 }
 
@@ -100,7 +102,7 @@ std::optional<std::string> MapTiles::read(std::size_t index,
 
 void MapTiles::write(std::size_t index, std::string_view bytes) const {
   system::AtomicFile file(pathOf(index));
-  file.write(fingerprint_ + "\n" + checksumOf(bytes) + "\n");
+  file.write(fmt::format("{}\n{}\n", fingerprint_, checksumOf(bytes)));
   file.write(bytes);
   file.commitUnflushed();  // read() knows a whole tile by its checksum
 }
@@ -113,7 +115,7 @@ void MapTiles::remove() const {
 }
 
 fs::path MapTiles::pathOf(std::size_t index) const {
-  return folder_ / (std::string(kTilePrefix) + std::to_string(index));
+  return folder_ / fmt::format("{}{}", kTilePrefix, index);
 }
 
 }  // namespace rotatebook::store

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/file_checksum.h"
 
@@ -33,8 +35,8 @@ std::vector<Manifest::Render> rendersOf(const Manifest& manifest) {
 std::string framesOfOtherSettings(const ClipFiles& files, const std::optional<Manifest>& there,
                                   const Manifest::Entries& made) {
   if (isMadeWith(there, made) || !hasFrames(files.frameFolder)) return "";
-  return framesText(std::ssize(framesIn(files.frameFolder))) + " in " + files.frameFolder.string() +
-         '/' + (knowsSettings(there) ? "" : kUnknownSettings);
+  return fmt::format("{} in {}/{}", framesText(std::ssize(framesIn(files.frameFolder))),
+                     files.frameFolder.string(), knowsSettings(there) ? "" : kUnknownSettings);
 }
 
 /// Returns whether a render of the clip `clip` gives `file` its name: NAME.csv, NAME_LABEL.csv,

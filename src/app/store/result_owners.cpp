@@ -6,6 +6,8 @@
 #include <string_view>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/json.h"
 #include "store/clip_files.h"
@@ -147,8 +149,8 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
     if (!isFile(file)) continue;
     const std::vector<Results> owners = ownersOf(file, own.kind == ResultKind::Clip);
     if (owners.empty() || std::ranges::count(owners, own) > 0) continue;
-    throw InputError(file.string() + " belongs to " + titleOf(owners.front().kind) + ' ' +
-                     owners.front().name + ", and " + remedy);
+    throw InputError(fmt::format("{} belongs to {} {}, and {}", file.string(),
+                                 titleOf(owners.front().kind), owners.front().name, remedy));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/document/toml_text.h"
 #include "base/document/toml_tree.h"
 #include "base/error.h"
@@ -39,9 +41,9 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const auto nearest = nearestName(path.stem().string(), candidates);
   if (!nearest) document::failAt(path.string(), "scene not found");
-  const fs::path suggestion = path.parent_path() / (std::string(*nearest) + ".toml");
-  document::failAt(path.string(), "scene not found; did you mean " +
-                                      document::tomlString(suggestion.string()) + "?");
+  const fs::path suggestion = path.parent_path() / fmt::format("{}.toml", *nearest);
+  document::failAt(path.string(), fmt::format("scene not found; did you mean {}?",
+                                              document::tomlString(suggestion.string())));
 }
 
 }  // namespace
@@ -69,8 +71,8 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
   if (!fs::exists(path, ignored)) failMissing(path);
   const std::string name = path.stem().string();
   if (const std::string problem = problemOfName(name); !problem.empty()) {
-    document::failAt(path.string(), "the scene's name " + document::tomlString(name) + " " +
-                                        problem + "; rename the file");
+    document::failAt(path.string(), fmt::format("the scene's name {} {}; rename the file",
+                                                document::tomlString(name), problem));
   }
   scene::Scene scene = scene::parseScene(
       readSceneText(path), path, overrides, [&](const fs::path& file, std::size_t most) {

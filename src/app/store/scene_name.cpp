@@ -1,5 +1,7 @@
 #include "store/scene_name.h"
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 #include "store/clip_files.h"
 #include "store/map_files.h"
@@ -14,17 +16,14 @@ constexpr std::size_t kMaxName = 200;
 
 std::string problemOfName(const std::string& name) {
   if (name.empty()) return "is empty";
-  if (name.size() > kMaxName) {
-    return "has " + std::to_string(name.size()) + " bytes; the limit is " +
-           std::to_string(kMaxName);
-  }
+  if (name.size() > kMaxName)
+    return fmt::format("has {} bytes; the limit is {}", name.size(), kMaxName);
   if (!isOneLine(name)) return "isn't a line of UTF-8 without control characters";
   if (name.front() == '.') return "begins with a dot, as names of hidden files do";
   if (name.find('/') != name.npos) return "holds a slash, as paths do";
   for (const char* reserved : {kPartialEnding, kReplacedEnding, kTilesEnding}) {
-    if (name.ends_with(reserved)) {
-      return std::string("ends in ") + reserved + ", as what a running render writes does";
-    }
+    if (name.ends_with(reserved))
+      return fmt::format("ends in {}, as what a running render writes does", reserved);
   }
   return "";
 }

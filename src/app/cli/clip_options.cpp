@@ -1,6 +1,13 @@
 #include "cli/clip_options.h"
 
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+
 #include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/text.h"
 #include "cli/exit_code.h"
 
 namespace rotatebook::cli {
@@ -37,6 +44,117 @@ void addRetryStatus(CLI::App& command) {
 CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside) {
   return command.add_flag("--allow-outside", allowOutside,
                           "Let the scene read textures and words from outside its folder");
+}
+
+namespace {
+
+video::VideoFormat parseFormat(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (name == nameOf(format)) return format;
+    names.push_back(nameOf(format));
+  }
+  throw InputError("--format " + name + ": unknown; there are " + quotedList(names, "and") +
+                   didYouMean(name, names));
+}
+
+}  // namespace
+
+CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names) {
+  return command
+      .add_option(
+          "--format", names,
+          "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str()
+      ->group("Clip");
+}
+
+std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& names, bool noMp4) {
+  std::vector<video::VideoFormat> formats;
+  for (const std::string& name : names) {
+    const video::VideoFormat format = parseFormat(name);
+    const bool left = format == video::VideoFormat::Mp4 && noMp4;
+    if (!left && std::ranges::count(formats, format) == 0) formats.push_back(format);
+  }
+  return formats;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const std::string& output) {
+  std::error_code ignored;
+  return output.ends_with('/') || !fs::path(output).has_extension() ||
+         fs::is_directory(output, ignored);
+}
+
+video::VideoFormat formatOf(const std::string& output) {
+  const fs::path path(output);
+  const std::string ending = path.extension().string();
+  std::vector<std::string_view> endings;
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    const std::string_view own = rowOf(format).ending;
+    if (ending == own) return format;
+    if (lowerCase(ending) == own) {
+      throw InputError("--output " + output + ": videos end in small letters; write " +
+                       fs::path(path).replace_extension(own).string());
+    }
+    endings.push_back(own);
+  }
+  throw InputError("--output " + output + ": no video ends in " + quotedText(ending) +
+                   "; there are " + quotedList(endings, "and") +
+                   "; for a folder of this name, write " + output + "/" +
+                   didYouMean(ending, endings));
+}
+
+/// Throws InputError if both folders and videos are named, of which a render makes one.
+void refuseBoth(const std::vector<std::string>& outputs) {
+  const auto folder = std::ranges::find_if(outputs, isFolder);
+  const auto video = std::ranges::find_if_not(outputs, isFolder);
+  if (folder == outputs.end() || video == outputs.end()) return;
+  throw InputError("--output " + *folder + " and --output " + *video +
+                   ": a render fills a folder, or makes the videos that are named; name the "
+                   "folder alone, with --format, or the videos alone");
+}
+
+}  // namespace
+
+Destination destinationOf(const std::vector<std::string>& outputs, std::size_t scenes) {
+  refuseBoth(outputs);
+  if (isFolder(outputs.back())) return {outputs.back(), "", {}};
+  if (scenes > 1) {
+    throw InputError("--output " + outputs.back() + ": one video for " + std::to_string(scenes) +
+                     " scenes; name a folder");
+  }
+  const fs::path last(outputs.back());
+  const fs::path folder = last.has_parent_path() ? last.parent_path() : fs::path(".");
+  Destination destination{folder, last.stem().string(), {}};
+  for (const std::string& output : outputs) {
+    const fs::path path(output);
+    if (path.parent_path() != last.parent_path() || path.stem() != last.stem()) {
+      throw InputError("--output " + output + " and --output " + last.string() +
+                       ": the videos of a render have one name, but for the ending");
+    }
+    const video::VideoFormat format = formatOf(output);
+    if (std::ranges::count(destination.formats, format) == 0) destination.formats.push_back(format);
+  }
+  return destination;
+}
+
+void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
+  if (!scene::isTransparent(scene)) return;
+  for (const video::VideoFormat format : formats) {
+    if (keepsTransparency(format)) continue;
+    throw InputError(
+        scene.name + ": " + std::string(nameOf(format)) +
+        " can't hold the transparent background of look.background; use " +
+        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
+        " as --format, or --no-mp4 for PNGs alone");
+  }
 }
 
 }  // namespace rotatebook::cli

@@ -1,20 +1,21 @@
 #include "cli/program.h"
 
 #include <csignal>
+#include <fcntl.h>
+#include <initializer_list>
 #include <iostream>
 #include <memory>
 #include <span>
 #include <string>
+#include <unistd.h>
 #include <utility>
 
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/crash_handler.h"
-#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/quiet.h"
-#include "cli/standard_streams.h"
 #include "cli/usage.h"
 #include "system/portable_folder.h"
 #include "system/resource_limits.h"
@@ -169,6 +170,30 @@ int run(int argc, char** argv) {
   return quiet ? runQuietly(*program.get_subcommands().front(), action) : action();
 }
 
+/// Opens each standard stream that the program was started without, as one that can't be read or
+/// written. Else the next file that is opened would take its descriptor, and what is printed would
+/// go into that file.
+void keepStandardStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0) continue;
+    // open() returns the lowest free descriptor, which is this one. The mode makes printing fail,
+    // so that the failure is reported.
+    if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
+  }
+}
+
+std::string helpOf(const CLI::App& program, const std::string& name) {
+  const std::string own = program.get_name();
+  // help() of the program would be that of the chosen command, this one.
+  if (name.empty()) {
+    return program.get_formatter()->make_help(&program, own, CLI::AppFormatMode::Normal);
+  }
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (command->get_name() == name) return command->help(own);
+  }
+  throw InputError(unknownCommandText(program, name));
+}
+
 }  // namespace
 
 int runProgram(int argc, char** argv) {
@@ -184,6 +209,19 @@ int runProgram(int argc, char** argv) {
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
     return afterFlush(run(argc, argv));
   }));
+}
+
+void addHelpCommand(CLI::App& program, Action& action) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* command = program.add_subcommand("help", "Describe the program, or one command");
+  command->add_option("COMMAND", *name, "Command to describe");
+  command->footer("\nExample:\n  rotatebook help render");
+  command->callback([name, &program, &action] {
+    action = [name, &program] {
+      std::cout << helpOf(program, *name);
+      return kDone;
+    };
+  });
 }
 
 }  // namespace rotatebook::cli

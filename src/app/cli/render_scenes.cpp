@@ -11,7 +11,6 @@
 #include <sstream>
 #include <string>
 
-#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/motion_report.h"

@@ -9,16 +9,24 @@
 
 #include <CLI/CLI.hpp>
 
-#include "cli/shorthand.h"
 #include "scene/scene.h"
 
 namespace rotatebook::cli {
+
+/// An option that is short for an override of the scene.
+struct Shorthand {
+  std::string option;      ///< As the user wrote it: "--size 640x360"; messages name it so.
+  std::string assignment;  ///< "clip.size=[640, 360]"
+};
 
 /// The values of --set, --size, --grid, --allow-outside and --scene-checksum.
 struct SceneOptions {
   std::vector<std::string> overrides;
   std::string size;  ///< "WxH" or empty.
-  std::string grid;  ///< As gridShorthands() takes it, or empty.
+  /// "KEY=VALUES" or "KEY=VALUES x KEY=VALUES", columns first; empty without. VALUES are
+  /// "1,10,100", whole numbers "1..8", or a list or a table as a scene has it. What the scene
+  /// expects of its own motion is left out then.
+  std::string grid;
   bool allowOutside = false;
   std::vector<std::string> checksums;  ///< Of the scenes that are taken; all if there are none.
 

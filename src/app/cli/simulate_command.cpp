@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
-#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/motion_report.h"

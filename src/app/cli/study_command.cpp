@@ -15,7 +15,6 @@
 #include "base/text.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
-#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"

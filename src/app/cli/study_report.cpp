@@ -10,8 +10,8 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "cli/expectation_report.h"
 #include "cli/formatted.h"
+#include "cli/motion_report.h"
 #include "scene/expectation_text.h"
 #include "scene/names.h"
 

@@ -16,8 +16,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
-#include "cli/recording_files.h"
-#include "cli/recording_options.h"
+#include "cli/recordings.h"
 #include "recording/toss.h"
 #include "system/atomic_file.h"
 

@@ -1,4 +1,4 @@
-#include "cli/expectation_report.h"
+#include "cli/motion_report.h"
 
 #include <limits>
 #include <sstream>

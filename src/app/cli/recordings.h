@@ -1,9 +1,12 @@
-// The tables of a recording: a file, a phone's export of several, or its archive. Inside the room
-// only.
+// Recordings: their options, and their tables in a file, a phone's export of several, or its
+// archive. Inside the room only.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
 
 #include "recording/read_recording.h"
 
@@ -38,5 +41,22 @@ struct RecordingFiles {
 /// recording::kLargestRecording, and if none or several tables are a gyroscope's.
 RecordingFiles openRecording(const std::string& path, const std::string& acceleration,
                              const recording::ReadOptions& options);
+
+/// The values of --rates, --time-unit, --column, --from and --to.
+struct RecordingOptions {
+  recording::ReadOptions options;
+  std::vector<std::string> columns;  ///< "wx=NAME"
+
+  void addTo(CLI::App& command);
+  /// Returns the options. Throws InputError for a column that isn't HOLDS=NAME.
+  recording::ReadOptions read() const;
+};
+
+/// Returns the problem of an option's number that isn't 0 or more; empty if there is none.
+std::string notNegative(const std::string& text);
+
+/// Returns three numbers over 0, such as "0.004,0.002,0.005". Throws InputError that names
+/// `option`.
+Eigen::Vector3d threeNumbers(const std::string& text, const char* option);
 
 }  // namespace rotatebook::cli

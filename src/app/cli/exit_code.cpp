@@ -1,4 +1,4 @@
-#include "cli/error_report.h"
+#include "cli/exit_code.h"
 
 #include <atomic>
 #include <iostream>
@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "cli/exit_code.h"
 #include "system/file_descriptor.h"
 
 namespace rotatebook::cli {

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -77,23 +76,18 @@ int assembleFrames(const AssembleArguments& arguments) {
 }  // namespace
 
 void addAssembleCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<AssembleArguments>();
-  CLI::App* command =
-      program.add_subcommand("assemble", "Make a video from PNG frames on the disk");
-  command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "Video to write: " + listFormats(&video::FormatRow::ending, "or"))
-      ->type_name("FILE")
+  auto [command, arguments] = addCommand(
+      program, action, "assemble", "Make a video from PNG frames on the disk", assembleFrames);
+  command.add_option("DIR", arguments.folder, "Folder with frame_00000.png ...")->required();
+  addOption(command, "-o,--output", "FILE", arguments.output,
+            "Video to write: " + listFormats(&video::FormatRow::ending, "or"))
       ->required();
-  command
-      ->add_option("--fps", arguments->frameRate,
-                   "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
-      ->type_name("RATE");
-  command->add_flag("--whole", arguments->whole,
-                    "Write nothing unless all frames of the scene are there");
-  addRetryStatus(*command);
-  command->footer(R"(
+  addOption(command, "--fps", "RATE", arguments.frameRate,
+            "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml");
+  command.add_flag("--whole", arguments.whole,
+                   "Write nothing unless all frames of the scene are there");
+  addRetryStatus(command);
+  command.footer(R"(
 With the scene.toml that a render leaves beside its frames, this writes the same bytes as the render.
 If a frame is missing or no longer has its checksum in frames.xxh128, nothing is written: render with
 --resume, which draws the frame again, or remove frames.xxh128 to join the frames as they are. A frame
@@ -104,8 +98,6 @@ they are of another kind; transparency that the video would lose is refused.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return assembleFrames(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

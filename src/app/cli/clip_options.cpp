@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "cli/commands.h"
 #include "cli/exit_code.h"
 
 namespace rotatebook::cli {
@@ -19,12 +20,10 @@ void addClip(CLI::App& command, std::filesystem::path& clip) {
 }
 
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
-  command
-      .add_option(
-          "--scene-folder", textures.folder,
-          "Folder with the scene's textures, meshes and recordings; by default the clip's folder, "
-          "the one above it, the current one or a folder in these that has them as they were")
-      ->type_name("DIR");
+  addOption(
+      command, "--scene-folder", "DIR", textures.folder,
+      "Folder with the scene's textures, meshes and recordings; by default the clip's folder, "
+      "the one above it, the current one or a folder in these that has them as they were");
   addAllowOutside(command, textures.allowOutside);
 }
 
@@ -61,15 +60,13 @@ video::VideoFormat parseFormat(const std::string& name) {
 }  // namespace
 
 CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names) {
-  return command
-      .add_option(
-          "--format", names,
-          "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif")
-      ->type_name("NAME,...")
+  return addOption(
+             command, "--format", "NAME,...", names,
+             "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif",
+             "Clip")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->capture_default_str()
-      ->group("Clip");
+      ->capture_default_str();
 }
 
 std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& names, bool noMp4) {

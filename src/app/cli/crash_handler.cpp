@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <optional>
 #include <unistd.h>
@@ -131,13 +130,12 @@ int explain(const CrashArguments& arguments) {
 }  // namespace
 
 void addAfterCrashCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<CrashArguments>();
-  CLI::App* command = program.add_subcommand(kAfterCrash, "Explain the crash of a command");
-  command->group("");  // Hidden.
-  arguments->deviceOptions.addTo(*command);
-  command->add_flag(kResumable, arguments->resumable);
-  command->add_option("SIGNAL", arguments->signal)->required();
-  command->callback([arguments, &action] { action = [arguments] { return explain(*arguments); }; });
+  auto [command, arguments] =
+      addCommand(program, action, kAfterCrash, "Explain the crash of a command", explain);
+  command.group("");  // Hidden.
+  arguments.deviceOptions.addTo(command);
+  command.add_flag(kResumable, arguments.resumable);
+  command.add_option("SIGNAL", arguments.signal)->required();
 }
 
 }  // namespace rotatebook::cli

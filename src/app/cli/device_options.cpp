@@ -41,13 +41,10 @@ void printAside(const std::string& line) {
 
 void DeviceOptions::addTo(CLI::App& command) {
   constexpr const char* kGroup = "Device";
-  command
-      .add_option(
-          "--device", device,
-          "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
-          "a CUDA id, or software; by default the first that works")
-      ->type_name("N|cuda:N|software")
-      ->group(kGroup);
+  addOption(command, "--device", "N|cuda:N|software", device,
+            "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
+            "a CUDA id, or software; by default the first that works",
+            kGroup);
   command
       .add_flag("--require-hardware", requireHardware, "Fail if only a software renderer can draw")
       ->group(kGroup);

@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -255,79 +254,76 @@ void addJobOptions(CLI::App& command, SubmitArguments& arguments, CLI::Option* s
   constexpr const char* kSlurm = "Slurm";
   farm::JobOptions& job = arguments.job;
   const auto add = [&](const char* name, std::string& value, const char* help, const char* type) {
-    command.add_option(name, value, help)->type_name(type)->group(kSlurm)->needs(slurm);
+    addOption(command, name, type, value, help, kSlurm)->needs(slurm);
   };
   add("--partition", job.partition, "Partition of the jobs", "NAME");
   add("--account", job.account, "Account that they are charged to", "NAME");
   add("--time", job.time, "Longest time of a task, e.g. 30:00", "TIME");
   add("--constraint", job.constraint, "Features that their nodes must have", "LIST");
-  command
-      .add_option("--sbatch", job.others,
-                  "Another option of sbatch, e.g. --sbatch=--qos=low; may be repeated")
-      ->type_name("OPTION")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)
-      ->group(kSlurm)
+  repeated(addOption(command, "--sbatch", "OPTION", job.others,
+                     "Another option of sbatch, e.g. --sbatch=--qos=low; may be repeated", kSlurm))
       ->needs(slurm);
 }
 
 }  // namespace
 
 void addSubmitCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<SubmitArguments>();
-  CLI::App* command = program.add_subcommand(
-      "submit", "Have many machines render, map or study: by Slurm or others");
-  command->add_option("WORK", arguments->work, "render, map or study")->required();
-  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  command->add_option("-o,--output", arguments->folder, "Folder for the results")
-      ->type_name("DIR")
+  auto [command, arguments] =
+      addCommand(program, action, "submit",
+                 "Have many machines render, map or study: by Slurm or others", submit);
+  command.add_option("WORK", arguments.work, "render, map or study")->required();
+  command.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  addOption(command, "-o,--output", "DIR", arguments.folder, "Folder for the results")
       ->capture_default_str();
   CLI::Option* slurm =
-      command->add_flag("--slurm", arguments->slurm, "Send the tasks to the cluster that is here");
-  command->add_option("--plan", arguments->plan, "Print the tasks instead, as list or parallel")
-      ->type_name("FORMAT");
-  command->add_flag("--dry-run", arguments->dryRun,
-                    "Print what would be sent; write and send nothing");
-  command->add_option("--chunk", arguments->chunk, "Frames or tiles of a task; by default measured")
-      ->type_name("N")
+      command.add_flag("--slurm", arguments.slurm, "Send the tasks to the cluster that is here");
+  addOption(command, "--plan", "FORMAT", arguments.plan,
+            "Print the tasks instead, as list or parallel");
+  command.add_flag("--dry-run", arguments.dryRun,
+                   "Print what would be sent; write and send nothing");
+  addOption(command, "--chunk", "N", arguments.chunk,
+            "Frames or tiles of a task; by default measured")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
-  command->add_option("--cores", arguments->cores, "Cores of a task")
-      ->type_name("N")
+  addOption(command, "--cores", "N", arguments.cores, "Cores of a task")
       ->check(CLI::Range(1, farm::kMaxCores))
       ->capture_default_str();
-  addFormats(*command, arguments->formats);
-  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group("Clip");
-  addJobOptions(*command, *arguments, slurm);
-  arguments->sceneOptions.addTo(*command);
-  arguments->deviceOptions.addTo(*command);
+  addFormats(command, arguments.formats);
+  command.add_flag("--no-mp4", arguments.noMp4, "Write no MP4")->group("Clip");
+  addJobOptions(command, arguments, slurm);
+  arguments.sceneOptions.addTo(command);
+  arguments.deviceOptions.addTo(command);
   for (const char* name : {"--format", "--no-mp4", "--device", "--require-hardware"})
-    arguments->ofRender.push_back(command->get_option(name));
-  command->footer(kSubmitFooter);
-  command->callback([arguments, &action] { action = [arguments] { return submit(*arguments); }; });
+    arguments.ofRender.push_back(command.get_option(name));
+  command.footer(kSubmitFooter);
 }
 
+namespace {
+
+struct StatusArguments {
+  std::string folder = "out";
+  bool json = false;
+};
+
+int showStatus(const StatusArguments& arguments) {
+  const std::vector<farm::PlanState> states = farm::statesBelow(arguments.folder);
+  (arguments.json ? farm::reportStatesAsJson : farm::reportStates)(states, std::cout);
+  return statusOf(std::ranges::none_of(states, &farm::PlanState::hasFailed));
+}
+
+}  // namespace
+
 void addStatusCommand(CLI::App& program, Action& action) {
-  auto folder = std::make_shared<std::string>("out");
-  auto json = std::make_shared<bool>(false);
-  CLI::App* command =
-      program.add_subcommand("status", "Show what has become of what was submitted");
-  command->add_option("DIR", *folder, "Folder of the results")->capture_default_str();
-  command->add_flag("--json", *json, "Print one JSON object: scenes, tasks and jobs");
-  command->footer(R"(
+  auto [command, arguments] = addCommand(program, action, "status",
+                                         "Show what has become of what was submitted", showStatus);
+  command.add_option("DIR", arguments.folder, "Folder of the results")->capture_default_str();
+  command.add_flag("--json", arguments.json, "Print one JSON object: scenes, tasks and jobs");
+  command.footer(R"(
 Shows what is done, which machine runs what, what failed, and about when it ends: from the results
 in DIR, what 'rotatebook submit' left in DIR/farm, and Slurm's queue. Changes nothing.
 Exit status: 0, or 1 if something failed.
 
 Example:
   rotatebook status out)");
-  command->callback([folder, json, &action] {
-    action = [folder, json] {
-      const std::vector<farm::PlanState> states = farm::statesBelow(*folder);
-      *json ? farm::reportStatesAsJson(states, std::cout) : farm::reportStates(states, std::cout);
-      return statusOf(std::ranges::none_of(states, &farm::PlanState::hasFailed));
-    };
-  });
 }
 
 }  // namespace rotatebook::cli

@@ -1,5 +1,4 @@
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,7 +28,8 @@ namespace {
 
 constexpr double kWater = 1000;  // [kg/m^3]
 
-struct InfoOptions {
+struct InfoArguments {
+  std::string path;
   std::optional<double> density, mass;
   std::string unit = "m";
   bool json = false;
@@ -61,7 +61,7 @@ BodySurface surfaceOf(const body::ClosedMesh& file) {
           inFile(shells.overlap), file.closing.notes};
 }
 
-BodyNumbers bodyOfMesh(const std::string& path, const InfoOptions& options) {
+BodyNumbers bodyOfMesh(const std::string& path, const InfoArguments& options) {
   if (options.density && options.mass)
     throw InputError("--density and --mass: one follows from the other; name one of them");
   requirePositive("--density", options.density);
@@ -146,7 +146,8 @@ void printJson(const std::string& name, const std::string& title, const std::vec
             << '\n';
 }
 
-void showScene(const std::string& path, const InfoOptions& options) {
+void showScene(const InfoArguments& options) {
+  const std::string& path = options.path;
   if (std::filesystem::path(path).extension() != ".toml")
     throw InputError(path + ": neither a scene (.toml) nor a mesh (.obj, .stl, .ply or .glb)");
   if (options.density || options.mass || options.unit != "m")
@@ -160,28 +161,33 @@ void showScene(const std::string& path, const InfoOptions& options) {
                : print(scene.name + ": " + scene.title, infos);
 }
 
-void showMesh(const std::string& path, const InfoOptions& options) {
+void showMesh(const InfoArguments& options) {
+  const std::string& path = options.path;
   const std::vector<Info> infos{{"", bodyOfMesh(path, options)}};
   options.json ? printJson(path, "", infos) : print(path, infos);
+}
+
+int info(const InfoArguments& arguments) {
+  body::isMeshName(arguments.path) ? showMesh(arguments) : showScene(arguments);
+  return kDone;
 }
 
 }  // namespace
 
 void addInfoCommand(CLI::App& program, Action& action) {
-  auto path = std::make_shared<std::string>();
-  auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      program.add_subcommand("info", "Print the numbers of a scene's body and spin, or of a mesh");
-  command->add_option("SCENE|MESH", *path, "Scene file, or a mesh: .obj, .stl, .ply or .glb")
+  auto [command, arguments] = addCommand(
+      program, action, "info", "Print the numbers of a scene's body and spin, or of a mesh", info);
+  command
+      .add_option("SCENE|MESH", arguments.path, "Scene file, or a mesh: .obj, .stl, .ply or .glb")
       ->required();
-  command->add_option("--density", options->density,
-                      "Density of a mesh [kg/m^3]; 1000, that of water, without --mass");
-  command->add_option("--mass", options->mass, "Mass of a mesh [kg], in place of a density");
-  command->add_option("--unit", options->unit, "Unit of a mesh's coordinates: m, cm, mm, km or in")
+  command.add_option("--density", arguments.density,
+                     "Density of a mesh [kg/m^3]; 1000, that of water, without --mass");
+  command.add_option("--mass", arguments.mass, "Mass of a mesh [kg], in place of a density");
+  command.add_option("--unit", arguments.unit, "Unit of a mesh's coordinates: m, cm, mm, km or in")
       ->capture_default_str();
-  command->add_flag("--json", options->json, "Print one JSON object");
-  options->scene.addTo(*command, /*draws=*/false);
-  command->footer(R"(
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  arguments.scene.addTo(command, /*draws=*/false);
+  command.footer(R"(
 Of a body: volume, mass, centre, inertia about it, principal moments. Of a scene's spin: growth rate,
 flip interval, period, precession with its geometric part, distance to the separatrix, and the step that
 explicit Euler needs. A scene with panels has the numbers of each. A mesh must be closed, and face
@@ -191,12 +197,6 @@ Examples:
   rotatebook info scenes/starter.toml
   rotatebook info scenes/starter.toml --set initial.tilt="['5 deg', 'y']" --json
   rotatebook info part.stl --unit mm --density 2700)");
-  command->callback([path, options, &action] {
-    action = [path, options] {
-      (body::isMeshName(*path) ? showMesh : showScene)(*path, *options);
-      return kDone;
-    };
-  });
 }
 
 }  // namespace rotatebook::cli

@@ -6,7 +6,7 @@
 namespace rotatebook::cli {
 namespace {
 
-std::atomic<bool> interrupted = false;
+std::atomic<bool> stopAsked = false;
 std::atomic<int> received = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
@@ -21,7 +21,7 @@ extern "C" void onSignal(int signal) {
     if (now.sa_handler == onSignal) std::signal(next, SIG_DFL);
   }
   received = signal;
-  interrupted = true;
+  stopAsked = true;
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ const std::atomic<bool>& catchInterrupts() {
   }
   // A render goes on when its output pipe is closed, and reports that at the end.
   std::signal(SIGPIPE, SIG_IGN);
-  return interrupted;
+  return stopAsked;
 }
 
 int interruptStatus() {

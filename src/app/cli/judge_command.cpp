@@ -143,22 +143,15 @@ int judgeAll(const JudgeArguments& arguments) {
 
 void addBounds(CLI::App& command, VerdictBounds& bounds) {
   constexpr const char* kGroup = "Bounds, of which one that isn't kept ends in exit status 1";
-  command.add_option("--max-error-deg", bounds.errorDeg, "On the angle to the exact attitude")
-      ->check(notNegative)
-      ->type_name("DEGREES")
-      ->group(kGroup);
-  command
-      .add_option("--max-energy-drift", bounds.energyDrift,
-                  "On the energy's relative drift, e.g. 0.01 for a hundredth")
-      ->check(notNegative)
-      ->type_name("PART")
-      ->group(kGroup);
-  command
-      .add_option("--max-L-drift", bounds.momentumDrift,
-                  "On the drift of the angular momentum's size, likewise")
-      ->check(notNegative)
-      ->type_name("PART")
-      ->group(kGroup);
+  addOption(command, "--max-error-deg", "DEGREES", bounds.errorDeg,
+            "On the angle to the exact attitude", kGroup)
+      ->check(notNegative);
+  addOption(command, "--max-energy-drift", "PART", bounds.energyDrift,
+            "On the energy's relative drift, e.g. 0.01 for a hundredth", kGroup)
+      ->check(notNegative);
+  addOption(command, "--max-L-drift", "PART", bounds.momentumDrift,
+            "On the drift of the angular momentum's size, likewise", kGroup)
+      ->check(notNegative);
   command.add_flag("--half-turns", bounds.halfTurns, "As many half-turns as the exact motion")
       ->group(kGroup);
 }
@@ -166,35 +159,30 @@ void addBounds(CLI::App& command, VerdictBounds& bounds) {
 }  // namespace
 
 void addJudgeCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<JudgeArguments>();
-  CLI::App* command = program.add_subcommand(
-      "judge", "Compare recorded motions, or a scene's, with the exact ones");
-  command->add_option("FILE", arguments->files, "Tables of motions (CSV), or scenes (TOML)")
+  auto [command, arguments] =
+      addCommand(program, action, "judge",
+                 "Compare recorded motions, or a scene's, with the exact ones", judgeAll);
+  command.add_option("FILE", arguments.files, "Tables of motions (CSV), or scenes (TOML)")
       ->required()
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command->add_option("--inertia", arguments->inertia, "Principal moments of a table's body")
-      ->type_name("IX,IY,IZ");
-  command->add_option("--size", arguments->size, "Edges of a table's solid cuboid instead")
-      ->type_name("X,Y,Z");
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->add_option("--junit", arguments->junit, "Write JUnit's XML, a test case for each bound")
-      ->type_name("FILE");
-  command->add_option("--set", arguments->scene.overrides, "Override a key of the scenes")
-      ->type_name("KEY=VALUE")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
-  command->add_flag("--allow-outside", arguments->scene.allowOutside,
-                    "Let scenes read files from outside their folders");
-  addBounds(*command, arguments->bounds);
-  arguments->recording.addTo(*command);
-  command
-      ->add_option("--rates-along", arguments->recording.options.ratesAlong,
-                   "Whose axes the rates beside attitudes are along, body or world; body for a "
-                   "gyroscope's columns, world for others")
-      ->type_name("AXES")
-      ->check(CLI::IsMember({"body", "world"}))
-      ->group("Recording");
-  command->footer(R"(
+  addOption(command, "--inertia", "IX,IY,IZ", arguments.inertia,
+            "Principal moments of a table's body");
+  addOption(command, "--size", "X,Y,Z", arguments.size, "Edges of a table's solid cuboid instead");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  addOption(command, "--junit", "FILE", arguments.junit,
+            "Write JUnit's XML, a test case for each bound");
+  repeated(addOption(command, "--set", "KEY=VALUE", arguments.scene.overrides,
+                     "Override a key of the scenes"));
+  command.add_flag("--allow-outside", arguments.scene.allowOutside,
+                   "Let scenes read files from outside their folders");
+  addBounds(command, arguments.bounds);
+  arguments.recording.addTo(command);
+  addOption(command, "--rates-along", "AXES", arguments.recording.options.ratesAlong,
+            "Whose axes the rates beside attitudes are along, body or world; body for a "
+            "gyroscope's columns, world for others",
+            "Recording")
+      ->check(CLI::IsMember({"body", "world"}));
+  command.footer(R"(
 Prints the error, the drift of energy and angular momentum, the flips made and due, and the kind of
 method that errs so. A table whose rates contradict its attitudes, or that tells too little, isn't
 judged: what is wrong with it is said, and the exit status is 1.
@@ -203,8 +191,6 @@ Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04
   rotatebook judge motion.csv --inertia 1,2,2.5 --max-error-deg 1 --junit judged.xml
   rotatebook judge scenes/starter.toml --half-turns)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return judgeAll(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

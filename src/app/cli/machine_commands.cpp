@@ -1,5 +1,4 @@
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,21 +69,19 @@ int bench(const BenchArguments& arguments) {
 
 void addBenchCommand(CLI::App& program, Action& action) {
   constexpr std::int64_t kMax = 1'000'000;
-  auto arguments = std::make_shared<BenchArguments>();
-  CLI::App* command =
-      program.add_subcommand("bench", "Measure how fast this machine renders, and what limits it");
-  command->add_option("SCENE", arguments->scene,
-                      "Scene file; by default a built-in one, a tumbling book with overlays");
-  command->add_option("--frames", arguments->frames, "Frames to render, from the first")
-      ->type_name("N")
+  auto [command, arguments] = addCommand(
+      program, action, "bench", "Measure how fast this machine renders, and what limits it", bench);
+  command.add_option("SCENE", arguments.scene,
+                     "Scene file; by default a built-in one, a tumbling book with overlays");
+  addOption(command, "--frames", "N", arguments.frames, "Frames to render, from the first")
       ->check(CLI::Range(std::int64_t{1}, kMax))
       ->capture_default_str();
-  command->add_flag(
-      "--json", arguments->json,
+  command.add_flag(
+      "--json", arguments.json,
       "Print one JSON object; times are in milliseconds a frame, start_up_s in seconds");
-  arguments->sceneOptions.addTo(*command);
-  arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
+  arguments.sceneOptions.addTo(command);
+  arguments.deviceOptions.addTo(command);
+  command.footer(R"(
 Renders the frames three times, into a folder below TMPDIR that is removed afterwards: once stage by
 stage, once drawing alone, and once as render does it, to PNGs and an MP4. Each stage is measured while
 nothing else runs; "processor" is the time of all cores together.
@@ -93,7 +90,6 @@ Examples:
   rotatebook bench
   rotatebook bench my.toml --frames 60 --size 1920x1080
   rotatebook bench --set "overlay.show=['axes']")");
-  command->callback([arguments, &action] { action = [arguments] { return bench(*arguments); }; });
 }
 
 namespace {
@@ -112,17 +108,15 @@ int examine(const DoctorArguments& arguments) {
 }  // namespace
 
 void addDoctorCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<DoctorArguments>();
-  CLI::App* command = program.add_subcommand(
-      "doctor", "Check whether this machine can render; if not, report why and what helps");
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "Folder for the results: its free space is reported, and whether it can be "
-                   "written; nothing is left there")
-      ->type_name("DIR")
+  auto [command, arguments] = addCommand(
+      program, action, "doctor",
+      "Check whether this machine can render; if not, report why and what helps", examine);
+  addOption(command, "-o,--output", "DIR", arguments.folder,
+            "Folder for the results: its free space is reported, and whether it can be "
+            "written; nothing is left there")
       ->capture_default_str();
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->footer(R"(
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  command.footer(R"(
 Lists the EGL devices, whose numbers --device takes, and the other EGL displays; draws a small picture
 with each and compares it with a stored one. Then checks encoders, font, folder, cores and memory.
 
@@ -131,7 +125,6 @@ Exit status: 0 if render works as it is by default, 3 if it doesn't.
 Examples:
   rotatebook doctor
   rotatebook doctor --json | python3 -m json.tool)");
-  command->callback([arguments, &action] { action = [arguments] { return examine(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

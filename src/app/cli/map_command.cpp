@@ -2,7 +2,6 @@
 #include <exception>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -292,36 +291,30 @@ int makeMaps(const MapArguments& arguments) {
 }  // namespace
 
 void addMapCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<MapArguments>();
-  CLI::App* command =
-      program.add_subcommand("map", "Draw pictures of which each pixel is a run of the motion");
-  command->add_option("SCENE", arguments->scenes, "Scene files with [map]")->required();
-  command->add_option("-o,--output", arguments->folder, "Folder for the results")
-      ->type_name("DIR")
+  auto [command, arguments] = addCommand(
+      program, action, "map", "Draw pictures of which each pixel is a run of the motion", makeMaps);
+  command.add_option("SCENE", arguments.scenes, "Scene files with [map]")->required();
+  addOption(command, "-o,--output", "DIR", arguments.folder, "Folder for the results")
       ->capture_default_str();
-  command
-      ->add_option("--threads", arguments->threads,
-                   "Threads to run on; by default one for each core. The results are the same")
-      ->type_name("N")
+  addOption(command, "--threads", "N", arguments.threads,
+            "Threads to run on; by default one for each core. The results are the same")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--resume", arguments->resume,
-                    "Go on where a map stopped, and keep values of the same settings");
-  command->add_flag("--film", arguments->film,
-                    "Make the film that map.film describes, DIR/NAME.film.mp4, and nothing else");
+  command.add_flag("--resume", arguments.resume,
+                   "Go on where a map stopped, and keep values of the same settings");
+  command.add_flag("--film", arguments.film,
+                   "Make the film that map.film describes, DIR/NAME.film.mp4, and nothing else");
   CLI::Option* overwrite =
-      command->add_flag("--overwrite", arguments->overwrite,
-                        "Discard tiles and values of other settings; without --resume, all tiles");
-  command
-      ->add_option("--part", arguments->part,
-                   "Only the I-th of N parts, I from 1 to N: tiles alone, to be joined")
-      ->type_name("I/N")
+      command.add_flag("--overwrite", arguments.overwrite,
+                       "Discard tiles and values of other settings; without --resume, all tiles");
+  addOption(command, "--part", "I/N", arguments.part,
+            "Only the I-th of N parts, I from 1 to N: tiles alone, to be joined")
       ->excludes(overwrite)
       ->excludes("--film");
-  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
-  arguments->sceneOptions.addTo(*command, /*draws=*/false);
-  arguments->sceneOptions.addChecksum(*command);
-  addRetryStatus(*command);
-  command->footer(R"(
+  command.add_flag("--json", arguments.json, "Print one JSON object: what was measured");
+  arguments.sceneOptions.addTo(command, /*draws=*/false);
+  arguments.sceneOptions.addChecksum(command);
+  addRetryStatus(command);
+  command.footer(R"(
 Runs the scene's motion once for each pixel of [map]: the keys of its axes x and y have other values
 in each column and row, and the colour shows what `measure` names.
 Writes DIR/NAME.png with axes and legend, DIR/NAME.plain.png with one pixel a run, DIR/NAME.npy with the
@@ -334,8 +327,6 @@ without --part joins them.
 Examples:
   rotatebook map scenes/maps/map-delay.toml
   rotatebook map scenes/maps/map-half-turns.toml --set map.size=[1920,1080] --threads 16)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return makeMaps(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -199,42 +198,35 @@ int writePage(const PageArguments& arguments) {
 }  // namespace
 
 void addPageCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<PageArguments>();
-  CLI::App* command = program.add_subcommand(
-      "page", "Show what was rendered on one page, with players, plots and tables");
+  auto [command, arguments] =
+      addCommand(program, action, "page",
+                 "Show what was rendered on one page, with players, plots and tables", writePage);
   command
-      ->add_option("SCENE", arguments->scenes,
-                   "Scene files, in the order of the page; the first is shown large, at its top")
+      .add_option("SCENE", arguments.scenes,
+                  "Scene files, in the order of the page; the first is shown large, at its top")
       ->required();
-  command
-      ->add_option("-o,--output", arguments->folder,
-                   "Folder with the results of render and study; the page goes there, too")
-      ->type_name("DIR")
+  addOption(command, "-o,--output", "DIR", arguments.folder,
+            "Folder with the results of render and study; the page goes there, too")
       ->capture_default_str();
-  command->add_option("--title", arguments->title, "The page's heading")
-      ->type_name("TEXT")
+  addOption(command, "--title", "TEXT", arguments.title, "The page's heading")
       ->capture_default_str();
+  addOption(command, "--live", "FILE", arguments.live,
+            "The live book: a fragment of HTML that is put at the page's top as it is");
+  addOption(command, "--pack", "DIR|FILE.zip", arguments.pack,
+            "Write the page again for the web, to this folder or .zip: its clips are coded "
+            "anew, smaller, and keep their records");
   command
-      ->add_option("--live", arguments->live,
-                   "The live book: a fragment of HTML that is put at the page's top as it is")
-      ->type_name("FILE");
-  command
-      ->add_option("--pack", arguments->pack,
-                   "Write the page again for the web, to this folder or .zip: its clips are coded "
-                   "anew, smaller, and keep their records")
-      ->type_name("DIR|FILE.zip");
-  command
-      ->add_option(
-          "--pack-crf", arguments->packCrf,
+      .add_option(
+          "--pack-crf", arguments.packCrf,
           "Rate factor of packed clips: at 22, clips are three times as large as at 33, and "
           "verify still proves their pictures")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();
-  command->add_flag("--no-thumbnails", arguments->noThumbnails,
-                    "Draw nothing, and show the posters themselves in the overview");
-  arguments->sceneOptions.addTo(*command);
-  arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
+  command.add_flag("--no-thumbnails", arguments.noThumbnails,
+                   "Draw nothing, and show the posters themselves in the overview");
+  arguments.sceneOptions.addTo(command);
+  arguments.deviceOptions.addTo(command);
+  command.footer(R"(
 Writes DIR/index.html, which any browser shows without a network or a server. It shows the files that
 render and study left in DIR; give --set and --size as they were given to these. The motions are
 simulated again for the plots and for what was expected and measured. For the overview, the posters are
@@ -243,8 +235,6 @@ drawn again, small and without text, as DIR/NAME.thumbnail.png. A scene named tw
 Example:
   rotatebook render scenes/figures/*.toml
   rotatebook page scenes/figures/*.toml)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return writePage(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

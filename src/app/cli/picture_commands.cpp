@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -100,39 +99,29 @@ int writeStill(const StillArguments& arguments) {
 
 void addStillCommand(CLI::App& program, Action& action) {
   constexpr int kMax = 1000;
-  auto arguments = std::make_shared<StillArguments>();
-  CLI::App* command =
-      program.add_subcommand("still", "Draw one picture of a scene, or several side by side");
-  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  command
-      ->add_option("-o,--output", arguments->output,
-                   "PNG to write; by default NAME.png, or NAME.sheet.png of several pictures, in "
-                   "the folder where you are")
-      ->type_name("FILE");
-  command
-      ->add_option("--time", arguments->time,
-                   "Time in the video, whose nearest frame is drawn; by default the poster's")
-      ->type_name("SECONDS");
-  command
-      ->add_option("--count", arguments->count,
-                   "Number of frames of each scene, side by side, from its first to its last; 1 "
-                   "draws its poster")
-      ->type_name("N")
+  auto [command, arguments] = addCommand(
+      program, action, "still", "Draw one picture of a scene, or several side by side", writeStill);
+  command.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  addOption(command, "-o,--output", "FILE", arguments.output,
+            "PNG to write; by default NAME.png, or NAME.sheet.png of several pictures, in "
+            "the folder where you are");
+  addOption(command, "--time", "SECONDS", arguments.time,
+            "Time in the video, whose nearest frame is drawn; by default the poster's");
+  addOption(command, "--count", "N", arguments.count,
+            "Number of frames of each scene, side by side, from its first to its last; 1 "
+            "draws its poster")
       ->check(CLI::Range(1, kMax));
-  command
-      ->add_option("--times", arguments->sheet.times,
-                   "Times of the frames in the video, in place of --count")
-      ->type_name("SECONDS,...")
+  addOption(command, "--times", "SECONDS,...", arguments.sheet.times,
+            "Times of the frames in the video, in place of --count")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes("--count");
-  command->add_option("--columns", arguments->sheet.columns, "Pictures in a row")
-      ->type_name("N")
+  addOption(command, "--columns", "N", arguments.sheet.columns, "Pictures in a row")
       ->check(CLI::Range(1, kMax));
-  command->add_flag("--no-caption", arguments->noCaption, "Leave the caption out of the pictures");
-  arguments->sceneOptions.addTo(*command);
-  arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
+  command.add_flag("--no-caption", arguments.noCaption, "Leave the caption out of the pictures");
+  arguments.sceneOptions.addTo(command);
+  arguments.deviceOptions.addTo(command);
+  command.footer(R"(
 --size is the size of each picture. Beneath each of several is what tells it apart: its time, its
 scene's title, or both. The time is that of the video, as --times and --time take it; where the
 motion's is another, in slow motion, that follows as t.
@@ -142,8 +131,6 @@ Examples:
   rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080
   rotatebook still scenes/starter.toml -o sheet.png --times 0,0.5,1 --columns 3
   rotatebook still scenes/figures/*.toml -o sheet.png --count 1 --size 480x270)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return writeStill(*arguments); }; });
 }
 
 namespace {
@@ -180,30 +167,24 @@ int diff(const DiffArguments& arguments) {
 }  // namespace
 
 void addDiffCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<DiffArguments>();
-  CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
-  command->add_option("A", arguments->first, "PNG")->required();
-  command->add_option("B", arguments->second, "PNG")->required();
-  command
-      ->add_option("--max", arguments->tolerance.largest,
-                   "A pixel differs if a channel differs by more than this")
-      ->type_name("N")
+  auto [command, arguments] = addCommand(program, action, "diff", "Compare two pictures", diff);
+  command.add_option("A", arguments.first, "PNG")->required();
+  command.add_option("B", arguments.second, "PNG")->required();
+  addOption(command, "--max", "N", arguments.tolerance.largest,
+            "A pixel differs if a channel differs by more than this")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
-  command
-      ->add_option("--fail-percent", arguments->tolerance.failPercent,
-                   "The pictures differ if more than this share of the pixels does")
-      ->type_name("P")
+  addOption(command, "--fail-percent", "P", arguments.tolerance.failPercent,
+            "The pictures differ if more than this share of the pixels does")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "PNG of the differences, 16 times enlarged")
-      ->type_name("FILE");
-  command->footer(R"(
+  addOption(command, "-o,--output", "FILE", arguments.output,
+            "PNG of the differences, 16 times enlarged");
+  command.footer(R"(
 Exit status: 0 the same within the bounds, 1 different, 2 the pictures can't be compared.
 
 Example:
   rotatebook diff out/a/frame_00000.png out/b/frame_00000.png --max 2 --fail-percent 0.1 -o diff.png)");
-  command->callback([arguments, &action] { action = [arguments] { return diff(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

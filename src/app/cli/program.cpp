@@ -35,29 +35,13 @@ Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input i
 can't do it (no EGL or encoder; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
 143 interrupted; 75, in place of 3 or these, if --retry-status asks for it and trying again may help.)";
 
-void addCommands(CLI::App& program, Action& action) {
-  addRenderCommand(program, action);
-  addSimulateCommand(program, action);
-  addStudyCommand(program, action);
-  addMapCommand(program, action);
-  addSubmitCommand(program, action);
-  addStatusCommand(program, action);
-  addInfoCommand(program, action);
-  addJudgeCommand(program, action);
-  addTossCommand(program, action);
-  addPageCommand(program, action);
-  addStillCommand(program, action);
-  addBenchCommand(program, action);
-  addDoctorCommand(program, action);
-  addNewCommand(program, action);
-  addCheckCommand(program, action);
-  addListCommand(program, action);
-  addAssembleCommand(program, action);
-  addVerifyCommand(program, action);
-  addDiffCommand(program, action);
-  addAfterCrashCommand(program, action);
-  addHelpCommand(program, action);
-}
+/// In the order of the help.
+constexpr std::initializer_list<AddCommand*> kCommands{
+    addRenderCommand, addSimulateCommand, addStudyCommand,  addMapCommand,  addSubmitCommand,
+    addStatusCommand, addInfoCommand,     addJudgeCommand,  addTossCommand, addPageCommand,
+    addStillCommand,  addBenchCommand,    addDoctorCommand, addNewCommand,  addCheckCommand,
+    addListCommand,   addAssembleCommand, addVerifyCommand, addDiffCommand, addAfterCrashCommand,
+    addHelpCommand};
 
 /// Returns `status`; throws MachineError if what was printed got lost.
 int afterFlush(int status) {
@@ -154,7 +138,7 @@ int run(int argc, char** argv) {
   program.group("Commands");
   program.require_subcommand(1);
   program.footer(kFooter);
-  addCommands(program, action);
+  for (AddCommand* add : kCommands) add(program, action);
   addCommonOptions(program, quiet);
   program.add_flag("-q,--quiet", quiet, "Print only results, and what is wrong");
   try {

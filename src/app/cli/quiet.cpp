@@ -5,21 +5,21 @@
 namespace rotatebook::cli {
 namespace {
 
-bool quiet = false;
+bool isHeld = false;
 
 }  // namespace
 
 bool isQuiet() {
-  return quiet;
+  return isHeld;
 }
 
 HeldReports::HeldReports(bool outputIsResult) : log_(std::clog.rdbuf(held_.rdbuf())) {
   if (!outputIsResult) output_ = std::cout.rdbuf(held_.rdbuf());
-  quiet = true;
+  isHeld = true;
 }
 
 HeldReports::~HeldReports() {
-  quiet = false;
+  isHeld = false;
   std::clog.rdbuf(log_);
   if (output_ != nullptr) std::cout.rdbuf(output_);
   std::cerr << held_.str() << std::flush;

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/parsed_number.h"
 #include "base/text.h"
+#include "cli/commands.h"
 #include "recording/columns.h"
 #include "recording/csv_table.h"
 #include "system/read_file.h"
@@ -260,31 +261,18 @@ RecordingFiles openRecording(const std::string& path, const std::string& acceler
 
 void RecordingOptions::addTo(CLI::App& command) {
   constexpr const char* kGroup = "Recording";
-  command.add_option("--from", options.from, "Where the motion starts, of the file's times")
-      ->type_name("SECONDS")
-      ->group(kGroup);
-  command.add_option("--to", options.to, "Where it ends, likewise")
-      ->type_name("SECONDS")
-      ->group(kGroup);
-  command
-      .add_option("--rates", options.unit,
-                  "Unit of a gyroscope's rates, rad/s or deg/s, if the header has none")
-      ->type_name("UNIT")
-      ->check(CLI::IsMember({"rad/s", "deg/s"}))
-      ->group(kGroup);
-  command
-      .add_option("--time-unit", options.timeUnit,
-                  "Unit of the file's times, s, ms, us, ns or min, if the header has none")
-      ->type_name("UNIT")
-      ->check(CLI::IsMember({"s", "ms", "us", "ns", "min"}))
-      ->group(kGroup);
-  command
-      .add_option("--column", columns,
-                  "A column without a usual name, e.g. --column \"wx=Gyro X\"; may be repeated")
-      ->type_name("HOLDS=NAME")
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)
-      ->group(kGroup);
+  addOption(command, "--from", "SECONDS", options.from,
+            "Where the motion starts, of the file's times", kGroup);
+  addOption(command, "--to", "SECONDS", options.to, "Where it ends, likewise", kGroup);
+  addOption(command, "--rates", "UNIT", options.unit,
+            "Unit of a gyroscope's rates, rad/s or deg/s, if the header has none", kGroup)
+      ->check(CLI::IsMember({"rad/s", "deg/s"}));
+  addOption(command, "--time-unit", "UNIT", options.timeUnit,
+            "Unit of the file's times, s, ms, us, ns or min, if the header has none", kGroup)
+      ->check(CLI::IsMember({"s", "ms", "us", "ns", "min"}));
+  repeated(addOption(command, "--column", "HOLDS=NAME", columns,
+                     "A column without a usual name, e.g. --column \"wx=Gyro X\"; may be repeated",
+                     kGroup));
 }
 
 recording::ReadOptions RecordingOptions::read() const {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -136,55 +135,40 @@ Examples:
 
 void addRenderCommand(CLI::App& program, Action& action) {
   constexpr const char* kClip = "Clip";
-  auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
-  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  command
-      ->add_option("-o,--output", arguments->outputs,
-                   "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
-                   "of one name may be named")
-      ->type_name("DIR|FILE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)
+  auto [command, arguments] =
+      addCommand(program, action, "render", "Render scenes to PNG frames, MP4 and CSV", render);
+  command.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  repeated(addOption(command, "-o,--output", "DIR|FILE", arguments.outputs,
+                     "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
+                     "of one name may be named"))
       ->default_str("out");
-  CLI::Option* frames = command
-                            ->add_option("--frames", arguments->frames,
-                                         "Only the frames from A up to, but not including, B")
-                            ->type_name("A:B")
-                            ->group(kClip);
+  CLI::Option* frames = addOption(command, "--frames", "A:B", arguments.frames,
+                                  "Only the frames from A up to, but not including, B", kClip);
   CLI::Option* noPng =
-      command->add_flag("--no-png", arguments->noPng, "Write no PNG frames")->group(kClip);
-  CLI::Option* format = addFormats(*command, arguments->formats);
-  command
-      ->add_option("--part", arguments->part,
-                   "Only the I-th of N parts, I from 1 to N: PNG frames alone, to be joined")
-      ->type_name("I/N")
+      command.add_flag("--no-png", arguments.noPng, "Write no PNG frames")->group(kClip);
+  CLI::Option* format = addFormats(command, arguments.formats);
+  addOption(command, "--part", "I/N", arguments.part,
+            "Only the I-th of N parts, I from 1 to N: PNG frames alone, to be joined", kClip)
       ->excludes(frames)
       ->excludes(noPng)
-      ->excludes(format)
-      ->group(kClip);
-  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group(kClip);
-  command->add_flag("--resume", arguments->options.earlier.resume,
-                    "Go on where a render stopped, and skip what is done");
-  command->add_flag("--overwrite", arguments->options.earlier.overwrite,
-                    "Discard frames of an unfinished render; with --resume, only those of other "
-                    "settings; with --frames, none");
-  command
-      ->add_option(
-          "-j,--jobs", arguments->atATime,
-          "Scenes to render at a time; by default one for every 3 cores, as many as fit in a "
-          "quarter of the memory")
-      ->type_name("N")
+      ->excludes(format);
+  command.add_flag("--no-mp4", arguments.noMp4, "Write no MP4")->group(kClip);
+  command.add_flag("--resume", arguments.options.earlier.resume,
+                   "Go on where a render stopped, and skip what is done");
+  command.add_flag("--overwrite", arguments.options.earlier.overwrite,
+                   "Discard frames of an unfinished render; with --resume, only those of other "
+                   "settings; with --frames, none");
+  addOption(command, "-j,--jobs", "N", arguments.atATime,
+            "Scenes to render at a time; by default one for every 3 cores, as many as fit in a "
+            "quarter of the memory")
       ->check(CLI::Range(1, 64));
-  command->add_flag("--json", arguments->json, "Print one JSON object: what was made and measured");
-  arguments->sceneOptions.addTo(*command);
-  arguments->sceneOptions.addChecksum(*command);
-  addNoExpect(*command, arguments->noExpect);
-  arguments->deviceOptions.addTo(*command);
-  addRetryStatus(*command);
-  command->footer(kRenderFooter);
-  command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+  command.add_flag("--json", arguments.json, "Print one JSON object: what was made and measured");
+  arguments.sceneOptions.addTo(command);
+  arguments.sceneOptions.addChecksum(command);
+  addNoExpect(command, arguments.noExpect);
+  arguments.deviceOptions.addTo(command);
+  addRetryStatus(command);
+  command.footer(kRenderFooter);
 }
 
 }  // namespace rotatebook::cli

@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -92,7 +91,13 @@ void printList(const std::vector<SceneFile>& files) {
   }
 }
 
-int listScenes(const std::string& folder, bool json) {
+struct ListArguments {
+  std::string folder = "scenes";
+  bool json = false;
+};
+
+int listScenes(const ListArguments& arguments) {
+  const std::string& folder = arguments.folder;
   const auto [paths, problems] = store::scenesBelow(folder);
   if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
   std::vector<SceneFile> files;
@@ -103,39 +108,35 @@ int listScenes(const std::string& folder, bool json) {
   for (const fs::path& path : paths) {
     files.push_back(readFile(path, [](const fs::path& file) { return store::readScene(file); }));
   }
-  json ? reportListAsJson(files, std::cout) : printList(files);
+  arguments.json ? reportListAsJson(files, std::cout) : printList(files);
   return statusOfAll(files);
 }
 
 }  // namespace
 
 void addCheckCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command = program.add_subcommand("check", "Validate scenes; writes nothing");
-  command->add_option("FILE", arguments->paths, "Scene files")->required();
+  auto [command, arguments] =
+      addCommand(program, action, "check", "Validate scenes; writes nothing", checkScenes);
+  command.add_option("FILE", arguments.paths, "Scene files")->required();
   CLI::Option* json =
-      command->add_flag("--json", arguments->json,
-                        "Print one JSON object: each file's errors, notes and number of frames");
-  command->add_flag("--print", arguments->print, "Print the scenes with every default explicit")
+      command.add_flag("--json", arguments.json,
+                       "Print one JSON object: each file's errors, notes and number of frames");
+  command.add_flag("--print", arguments.print, "Print the scenes with every default explicit")
       ->excludes(json);
-  arguments->sceneOptions.addTo(*command);
-  command->footer(R"(
+  arguments.sceneOptions.addTo(command);
+  command.footer(R"(
 Examples:
   rotatebook check scenes/*.toml
   rotatebook check scenes/starter.toml --print > full.toml)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return checkScenes(*arguments); }; });
 }
 
 void addListCommand(CLI::App& program, Action& action) {
-  auto folder = std::make_shared<std::string>("scenes");
-  CLI::App* command = program.add_subcommand("list", "List the scenes below a folder");
-  auto json = std::make_shared<bool>(false);
-  command->add_option("DIR", *folder, "Folder")->capture_default_str();
-  command->add_flag("--json", *json, "Print one JSON object: each scene's title, length and size");
-  command->footer("\nExample:\n  rotatebook list scenes/figures");
-  command->callback(
-      [folder, json, &action] { action = [folder, json] { return listScenes(*folder, *json); }; });
+  auto [command, arguments] =
+      addCommand(program, action, "list", "List the scenes below a folder", listScenes);
+  command.add_option("DIR", arguments.folder, "Folder")->capture_default_str();
+  command.add_flag("--json", arguments.json,
+                   "Print one JSON object: each scene's title, length and size");
+  command.footer("\nExample:\n  rotatebook list scenes/figures");
 }
 
 namespace {
@@ -177,7 +178,8 @@ void requireNew(const fs::path& path) {
   requireAbsent(path);
 }
 
-int writeNewScene(const fs::path& path) {
+int writeNewScene(const std::string& file) {
+  const fs::path path(file);
   requireNew(path);
   const std::string text = starterWith(titleFrom(path.stem().string()));
   scene::parseScene(text, path);  // A title may be too long.
@@ -191,11 +193,10 @@ int writeNewScene(const fs::path& path) {
 }  // namespace
 
 void addNewCommand(CLI::App& program, Action& action) {
-  auto path = std::make_shared<std::string>();
-  CLI::App* command = program.add_subcommand("new", "Write a commented scene to begin with");
-  command->add_option("FILE", *path, "Scene file to write, NAME.toml")->required();
-  command->footer("\nAn existing file is never overwritten.\n\nExample:\n  rotatebook new my.toml");
-  command->callback([path, &action] { action = [path] { return writeNewScene(*path); }; });
+  auto [command, file] =
+      addCommand(program, action, "new", "Write a commented scene to begin with", writeNewScene);
+  command.add_option("FILE", file, "Scene file to write, NAME.toml")->required();
+  command.footer("\nAn existing file is never overwritten.\n\nExample:\n  rotatebook new my.toml");
 }
 
 }  // namespace rotatebook::cli

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
+#include "cli/commands.h"
 #include "scene/grid_settings.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
@@ -156,22 +157,15 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
 void SceneOptions::addTo(CLI::App& command, bool draws) {
   constexpr const char* kGroup = "Scene";
   const char* pictures = draws ? kGroup : "";
-  command
-      .add_option("--set", overrides,
-                  "Override a key of the scene, e.g. --set simulation.substeps=10; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false)
+  repeated(
+      addOption(command, "--set", "KEY=VALUE", overrides,
+                "Override a key of the scene, e.g. --set simulation.substeps=10; may be repeated"))
       ->group(kGroup);
-  command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
-      ->type_name("WxH")
-      ->group(pictures);
-  command
-      .add_option("--grid", grid,
-                  "Books side by side, e.g. \"initial.tilt=1e-2,1e-4 x simulation.substeps=1..8\"")
-      ->type_name("KEY=VALUES [x KEY=VALUES]")
-      ->group(pictures);
+  addOption(command, "--size", "WxH", size,
+            "Picture size, e.g. 640x360; the same as --set clip.size", pictures);
+  addOption(command, "--grid", "KEY=VALUES [x KEY=VALUES]", grid,
+            "Books side by side, e.g. \"initial.tilt=1e-2,1e-4 x simulation.substeps=1..8\"",
+            pictures);
   addAllowOutside(command, allowOutside)->group(pictures);
 }
 
@@ -185,13 +179,10 @@ std::vector<std::string> SceneOptions::words() const {
 }
 
 void SceneOptions::addChecksum(CLI::App& command) {
-  command
-      .add_option("--scene-checksum", checksums,
-                  "Refuse a scene that has changed since 'submit' wrote these checksums")
-      ->type_name("XXH128,...")
+  addOption(command, "--scene-checksum", "XXH128,...", checksums,
+            "Refuse a scene that has changed since 'submit' wrote these checksums", "Scene")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->group("Scene");
+      ->allow_extra_args(false);
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -95,26 +94,22 @@ int simulateScene(const SimulateArguments& arguments) {
 }  // namespace
 
 void addSimulateCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<SimulateArguments>();
-  CLI::App* command =
-      program.add_subcommand("simulate", "Simulate a scene without drawing it; needs no graphics");
-  command->add_option("SCENE", arguments->scene, "Scene file")->required();
-  command
-      ->add_option("--csv", arguments->csv,
-                   "Table to write, one row a frame; - for the standard output")
-      ->type_name("FILE");
-  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
-  arguments->sceneOptions.addTo(*command, /*draws=*/false);
-  addNoExpect(*command, arguments->noExpect);
-  command->footer(R"(
+  auto [command, arguments] =
+      addCommand(program, action, "simulate",
+                 "Simulate a scene without drawing it; needs no graphics", simulateScene);
+  command.add_option("SCENE", arguments.scene, "Scene file")->required();
+  addOption(command, "--csv", "FILE", arguments.csv,
+            "Table to write, one row a frame; - for the standard output");
+  command.add_flag("--json", arguments.json, "Print one JSON object: what was measured");
+  arguments.sceneOptions.addTo(command, /*draws=*/false);
+  addNoExpect(command, arguments.noExpect);
+  command.footer(R"(
 Reports flips, energy, distance to the exact motion, and what was expected.
 
 Examples:
   rotatebook simulate scenes/starter.toml
   rotatebook simulate scenes/starter.toml --csv motion.csv
   rotatebook simulate scenes/starter.toml --csv - --set simulation.model=particles | head)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return simulateScene(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
-#include <memory>
 #include <optional>
 #include <regex>
 #include <string>
@@ -236,24 +235,21 @@ int study(const StudyArguments& arguments) {
 }  // namespace
 
 void addStudyCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = program.add_subcommand(
-      "study", "Compare integrators and steps, or values of any key: tables and plots");
-  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  command->add_option("-o,--output", arguments->folder, "Folder for the results")
-      ->type_name("DIR")
+  auto [command, arguments] =
+      addCommand(program, action, "study",
+                 "Compare integrators and steps, or values of any key: tables and plots", study);
+  command.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  addOption(command, "-o,--output", "DIR", arguments.folder, "Folder for the results")
       ->capture_default_str();
-  command->add_option("--steps", arguments->steps, "Substeps to compare, as study.x, e.g. 1,2,4,8")
-      ->type_name("N,N,...");
-  command
-      ->add_option("--integrators", arguments->integrators,
-                   "Integrators to compare, as study.curves, e.g. euler,rk4")
-      ->type_name("NAME,...");
-  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
-  arguments->sceneOptions.addTo(*command, /*draws=*/false);
-  arguments->sceneOptions.addChecksum(*command);
-  addRetryStatus(*command);
-  command->footer(R"(
+  addOption(command, "--steps", "N,N,...", arguments.steps,
+            "Substeps to compare, as study.x, e.g. 1,2,4,8");
+  addOption(command, "--integrators", "NAME,...", arguments.integrators,
+            "Integrators to compare, as study.curves, e.g. euler,rk4");
+  command.add_flag("--json", arguments.json, "Print one JSON object: what was measured");
+  arguments.sceneOptions.addTo(command, /*draws=*/false);
+  arguments.sceneOptions.addChecksum(command);
+  addRetryStatus(command);
+  command.footer(R"(
 Runs the scene with each value of the axis study.x, on a curve for each value of study.curves, and
 measures what study.measure lists. Without [study], finds the order of each of the model's integrators
 from runs with 1, 2, 4 ... 1024 substeps. --steps and --integrators make other runs than the scene's, of
@@ -264,7 +260,6 @@ Examples:
   rotatebook study scenes/studies/*.toml
   rotatebook study scenes/starter.toml --integrators splitting,rk4 --steps 1,2,4,8,16
   rotatebook study my.toml -o /tmp/studies --set clip.duration=2)");
-  command->callback([arguments, &action] { action = [arguments] { return study(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

@@ -2,7 +2,6 @@
 #include <array>
 #include <filesystem>
 #include <iostream>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <system_error>
@@ -254,35 +253,29 @@ int fitAndReport(const TossArguments& arguments) {
 }  // namespace
 
 void addTossCommand(CLI::App& program, Action& action) {
-  auto arguments = std::make_shared<TossArguments>();
-  CLI::App* command =
-      program.add_subcommand("toss", "Find a body's inertia from the gyroscope that flew with it");
+  auto [command, arguments] =
+      addCommand(program, action, "toss",
+                 "Find a body's inertia from the gyroscope that flew with it", fitAndReport);
   command
-      ->add_option("FILE", arguments->file,
-                   "Table of the rates (CSV), or a phone's export: a folder, or ZIP")
+      .add_option("FILE", arguments.file,
+                  "Table of the rates (CSV), or a phone's export: a folder, or ZIP")
       ->required();
-  command
-      ->add_option("--acceleration", arguments->acceleration,
-                   "Table of the accelerometer's readings, with gravity, at times of its own")
-      ->type_name("FILE");
+  addOption(command, "--acceleration", "FILE", arguments.acceleration,
+            "Table of the accelerometer's readings, with gravity, at times of its own");
   CLI::Option* const scene =
-      command
-          ->add_option("-o,--output", arguments->scene,
-                       "Scene to write, beside the recording: as measured, and exact")
-          ->type_name("FILE");
+      addOption(command, "-o,--output", "FILE", arguments.scene,
+                "Scene to write, beside the recording: as measured, and exact");
   command
-      ->add_flag("--list", arguments->list,
-                 "List the flights that the rates alone show, and what each tells")
+      .add_flag("--list", arguments.list,
+                "List the flights that the rates alone show, and what each tells")
       ->excludes(scene);
-  command->add_flag("--json", arguments->json, "Print one JSON object");
-  command
-      ->add_option("--lever", arguments->options.lever,
-                   "Largest distance of the accelerometer from the centre of mass")
+  command.add_flag("--json", arguments.json, "Print one JSON object");
+  addOption(command, "--lever", "METRES", arguments.options.lever,
+            "Largest distance of the accelerometer from the centre of mass")
       ->check(notNegative)
-      ->type_name("METRES")
       ->capture_default_str();
-  arguments->recording.addTo(*command);
-  command->footer(R"(
+  arguments.recording.addTo(command);
+  command.footer(R"(
 Prints the ratios of the principal moments with intervals that hold in 95 of 100 tosses by noise
 alone, wider where the residual shows other errors. The flight is found by the accelerometer's columns,
 or without them by the rates alone if there is one throw; else state it with --from and --to.
@@ -292,8 +285,6 @@ Examples:
   rotatebook toss Gyroscope.csv --acceleration Accelerometer.csv
   rotatebook toss racket.csv --list
   rotatebook toss toss.csv --from 1.2 --to 2.0 -o toss.toml)");
-  command->callback(
-      [arguments, &action] { action = [arguments] { return fitAndReport(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

@@ -5,7 +5,6 @@
 #include <initializer_list>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -26,7 +25,6 @@ namespace {
 
 using pipeline::ClipCheck;
 using pipeline::PictureCheck;
-using pipeline::Verdict;
 using pipeline::Verification;
 
 constexpr int kVerdictWidth = 8;
@@ -121,7 +119,7 @@ std::string worthText(const Verification& found) {
   const std::string quantiser = found.quantiser
                                     ? "coded at a mean quantiser of " +
                                           roundedText(*found.quantiser, digits) + " of 51" +
-                                          (found.verdict() == Verdict::Coarse
+                                          (found.verdict() == pipeline::Verdict::Coarse
                                                ? ", above " + numberText(pipeline::kCoarsestProof)
                                                : "")
                                     : "its quantiser isn't measured";
@@ -134,23 +132,23 @@ std::string worthText(const Verification& found) {
 
 std::string verdictText(const Verification& found) {
   switch (found.verdict()) {
-    case Verdict::Proved:
+    case pipeline::Verdict::Proved:
       return proofText(found) + "\n" + worthText(found);
-    case Verdict::Coarse:
+    case pipeline::Verdict::Coarse:
       return coarseText(found) + "\n" + worthText(found);
-    case Verdict::NotProved:
+    case pipeline::Verdict::NotProved:
       return failureText(found);
   }
   return "";
 }
 
-const char* wordOf(Verdict verdict) {
+const char* wordOf(pipeline::Verdict verdict) {
   switch (verdict) {
-    case Verdict::Proved:
+    case pipeline::Verdict::Proved:
       return "proved";
-    case Verdict::Coarse:
+    case pipeline::Verdict::Coarse:
       return "consistent, coarsely";
-    case Verdict::NotProved:
+    case pipeline::Verdict::NotProved:
       return "not proved";
   }
   return "";
@@ -217,7 +215,7 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
   const auto asJson = [](const auto& check) { return json(check); };
   out << JsonObject()
              .addString("clip", clip)
-             .addBool("proved", found.verdict() == Verdict::Proved)
+             .addBool("proved", found.verdict() == pipeline::Verdict::Proved)
              .addString("verdict", wordOf(found.verdict()))
              .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
              .add("made_with", json(found.record.provenance))
@@ -277,10 +275,8 @@ int verify(const VerifyArguments& arguments) {
 void addAgain(CLI::App& command, RerunArguments& again,
               std::initializer_list<CLI::Option*> others) {
   CLI::Option* option =
-      command
-          .add_option("--again", again.folder,
-                      "Make the clip again from its record, in this folder, and compare the bytes")
-          ->type_name("DIR");
+      addOption(command, "--again", "DIR", again.folder,
+                "Make the clip again from its record, in this folder, and compare the bytes");
   for (CLI::Option* other : others) option->excludes(other);
   command.add_flag("--png", again.png, "Write PNG frames, too")->needs(option);
   command.add_flag("--resume", again.earlier.resume, "Go on where --again stopped")->needs(option);
@@ -295,27 +291,23 @@ void addAgain(CLI::App& command, RerunArguments& again,
 
 void addVerifyCommand(CLI::App& program, Action& action) {
   constexpr std::int64_t kMax = 1'000'000;
-  auto arguments = std::make_shared<VerifyArguments>();
-  CLI::App* command =
-      program.add_subcommand("verify", "Prove that a clip shows what it was made from");
-  addClip(*command, arguments->clip);
+  auto [command, arguments] = addCommand(program, action, "verify",
+                                         "Prove that a clip shows what it was made from", verify);
+  addClip(command, arguments.clip);
   CLI::Option* frames =
-      command
-          ->add_option("--frames", arguments->options.frames,
-                       "Frames whose pictures are compared, e.g. 0,10,20; by default one of each "
-                       "sixth of the clip, chosen by the motion's checksum")
-          ->type_name("N,...")
+      addOption(command, "--frames", "N,...", arguments.options.frames,
+                "Frames whose pictures are compared, e.g. 0,10,20; by default one of each "
+                "sixth of the clip, chosen by the motion's checksum")
           ->delimiter(',')
           ->check(CLI::Range(std::int64_t{0}, kMax))
           ->allow_extra_args(false);
-  CLI::Option* all =
-      command->add_flag("--all", arguments->options.allFrames, "Compare all pictures");
+  CLI::Option* all = command.add_flag("--all", arguments.options.allFrames, "Compare all pictures");
   all->excludes(frames);
-  CLI::Option* json = command->add_flag("--json", arguments->json, "Print one JSON object");
-  addAgain(*command, arguments->again, {frames, all, json});
-  addTextureOptions(*command, arguments->options.textures);
-  arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
+  CLI::Option* json = command.add_flag("--json", arguments.json, "Print one JSON object");
+  addAgain(command, arguments.again, {frames, all, json});
+  addTextureOptions(command, arguments.options.textures);
+  arguments.deviceOptions.addTo(command);
+  command.footer(R"(
 Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
 frames of it again and compares them with the clip's pictures, which must not be closer to the frame
 before or after; checks size, codec, colours, how the file has players crop, turn, stretch, deinterlace
@@ -334,7 +326,6 @@ Examples:
   rotatebook verify out/starter.mp4 --all --json | python3 -m json.tool
   rotatebook verify clips/cover.webm --frames 0,60 --scene-folder scenes
   rotatebook verify out/starter.mp4 --again again)");
-  command->callback([arguments, &action] { action = [arguments] { return verify(*arguments); }; });
 }
 
 }  // namespace rotatebook::cli

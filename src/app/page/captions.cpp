@@ -1,9 +1,9 @@
 #include "page/captions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
+
+#include <fmt/core.h>
 
 namespace rotatebook::page {
 namespace {
@@ -14,18 +14,11 @@ constexpr double kLongest = 3, kShortest = 0.8, kGap = 0.05;
 // The pictures' own words stand at the bottom.
 constexpr const char* kAtTheTop = " line:0";
 
-template <typename... Values>
-std::string printed(const char* format, Values... values) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
-
 /// Returns "00:00:04.067".
 std::string clockText(double seconds) {
-  const auto ms = static_cast<long long>(std::llround(seconds * 1000));
-  return printed("%02lld:%02lld:%02lld.%03lld", ms / 3'600'000, ms / 60'000 % 60, ms / 1000 % 60,
-                 ms % 1000);
+  const auto ms = std::llround(seconds * 1000);
+  return fmt::format("{:02}:{:02}:{:02}.{:03}", ms / 3'600'000, ms / 60'000 % 60, ms / 1000 % 60,
+                     ms % 1000);
 }
 
 /// WebVTT takes markup and entities in a cue's text, and ends it at an empty line.
@@ -43,7 +36,7 @@ std::string cueText(const std::string& words) {
 }  // namespace
 
 std::string headOf(double time) {
-  return printed("%.2f s: ", time);
+  return fmt::format("{:.2f} s: ", time);
 }
 
 std::string webVtt(const std::vector<Event>& events, const FrameRate& rate, std::int64_t frames) {
@@ -57,8 +50,8 @@ std::string webVtt(const std::vector<Event>& events, const FrameRate& rate, std:
     // Events at the end are shown before it, as there is no time after it.
     const double first = std::min(start, std::max(0.0, end - kShortest));
     last = std::min(last, end);
-    text += "\n" + clockText(first) + " --> " + clockText(last) + kAtTheTop + "\n" +
-            cueText(events[i].words) + "\n";
+    text += fmt::format("\n{} --> {}{}\n{}\n", clockText(first), clockText(last), kAtTheTop,
+                        cueText(events[i].words));
   }
   return text;
 }

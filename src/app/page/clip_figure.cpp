@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "embedded/page.h"
@@ -47,8 +49,8 @@ void refuseOtherTables(const Clip& clip, const scene::Scene& scene) {
   for (const fs::path& csv : clip.csvs) {
     requireFile(csv, scene, "render");
     if (!areOfOtherScenes(clip.files, clip.videos.played, csv)) continue;
-    throw InputError(csv.string() + " was made from another scene or with other settings; " +
-                     renderAgain(scene, csv.parent_path()));
+    throw InputError(fmt::format("{} was made from another scene or with other settings; {}",
+                                 csv.string(), renderAgain(scene, csv.parent_path())));
   }
 }
 
@@ -60,8 +62,8 @@ void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
     difference = kOtherSettings;
   }
   if (difference.empty()) return;
-  throw InputError(poster.string() + ": " + difference + "; " +
-                   renderAgain(scene, poster.parent_path()));
+  throw InputError(fmt::format("{}: {}; {}", poster.string(), difference,
+                               renderAgain(scene, poster.parent_path())));
 }
 
 Clip readClip(const scene::Scene& scene, const fs::path& folder) {
@@ -129,15 +131,13 @@ Html divergenceOf(const scene::Scene& scene, const Clip& clip) {
   const auto diverged = std::ranges::count_if(
       results, [](const MotionResult& result) { return result.divergedAt.has_value(); });
   if (diverged == 0) return {};
-  if (scene.grid)
-    return note(std::to_string(diverged) + " of " + std::to_string(results.size()) +
-                " motions diverge.");
+  if (scene.grid) return note(fmt::format("{} of {} motions diverge.", diverged, results.size()));
   Html notes;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].divergedAt) continue;
     const std::string& label = clip.motions[i].label;
-    notes += note((label.empty() ? "The motion" : label) + " diverges at " +
-                  roundedText(*results[i].divergedAt, kTimeDigits) + " s.");
+    notes += note(fmt::format("{} diverges at {} s.", label.empty() ? "The motion" : label,
+                              roundedText(*results[i].divergedAt, kTimeDigits)));
   }
   return notes;
 }

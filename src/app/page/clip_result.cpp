@@ -1,5 +1,7 @@
 #include "page/clip_result.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "page/figure.h"
 #include "page/result_json.h"
@@ -53,8 +55,8 @@ ClipResult readClipResult(const std::filesystem::path& file, const scene::Scene&
       readResult<ClipResult>(file, store::sceneChecksum(scene),
                              [&](const Json& json) { return resultIn(json, checksum); });
   if (result && result->motions.size() == scene::motionsOf(scene).size()) return *result;
-  throw InputError(file.string() + " was made from another scene or with other settings; " +
-                   renderAgain(scene, file.parent_path()));
+  throw InputError(fmt::format("{} was made from another scene or with other settings; {}",
+                               file.string(), renderAgain(scene, file.parent_path())));
 }
 
 }  // namespace rotatebook::page

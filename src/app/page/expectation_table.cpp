@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "base/number_text.h"
 #include "scene/expectation_text.h"
 
@@ -33,8 +35,8 @@ bool areAllMet(const std::vector<Check>& checks) {
 /// Returns "4 of 5 expectations met".
 Html countText(const std::vector<Check>& checks) {
   const auto met = std::ranges::count(checks, true, &Check::met);
-  return escaped(std::to_string(met) + " of " + std::to_string(checks.size()) +
-                 (checks.size() == 1 ? " expectation met" : " expectations met"));
+  return escaped(
+      fmt::format("{} of {} expectation{} met", met, checks.size(), checks.size() == 1 ? "" : "s"));
 }
 
 Html rowOf(const Check& check) {

@@ -1,5 +1,7 @@
 #include "page/figure.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "embedded/page.h"
@@ -55,9 +57,9 @@ std::string nameOfThumbnail(const scene::Scene& scene, const fs::path& folder) {
 }
 
 std::string remedy(const std::string& command, const scene::Scene& scene, const fs::path& folder) {
-  return "rotatebook " + command + " " +
-         shellWord((scene.folder / (scene.name + ".toml")).string()) + " -o " +
-         shellWord(folder.string());
+  return fmt::format("rotatebook {} {} -o {}", command,
+                     shellWord((scene.folder / (scene.name + ".toml")).string()),
+                     shellWord(folder.string()));
 }
 
 std::string renderAgain(const scene::Scene& scene, const fs::path& folder) {
@@ -68,14 +70,15 @@ std::string renderAgain(const scene::Scene& scene, const fs::path& folder) {
 std::string otherSizeText(const video::PictureSize& size, const scene::Scene& scene) {
   const scene::ClipSettings& clip = scene.clip;
   if (size.width == clip.width && size.height == clip.height) return "";
-  return "its pictures are " + sizeText(size.width, size.height) + ", and the scene's are " +
-         sizeText(clip.width, clip.height);
+  return fmt::format("its pictures are {}, and the scene's are {}",
+                     sizeText(size.width, size.height), sizeText(clip.width, clip.height));
 }
 
 void requireFile(const fs::path& path, const scene::Scene& scene, const std::string& command) {
   if (fs::is_regular_file(path)) return;
-  throw InputError(path.string() + " is missing; " + (command == "render" ? "render" : "make") +
-                   " it first: " + remedy(command, scene, path.parent_path()));
+  throw InputError(fmt::format("{} is missing; {} it first: {}", path.string(),
+                               command == "render" ? "render" : "make",
+                               remedy(command, scene, path.parent_path())));
 }
 
 Html linkItem(const std::string& address, const std::string& text) {

@@ -1,22 +1,16 @@
 #include "page/html.h"
 
-#include <array>
 #include <cctype>
-#include <cstdio>
 #include <set>
 #include <stdexcept>
+
+#include <fmt/core.h>
 
 namespace rotatebook::page {
 namespace {
 
 constexpr std::string_view kOpen = "{{";
 constexpr std::string_view kClose = "}}";
-
-std::string formatted(const char* format, unsigned value) {
-  std::array<char, 8> text;
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 const char* entityOf(char letter) {
   switch (letter) {
@@ -59,7 +53,7 @@ Html addressOf(const std::string& path) {
   for (const char letter : path) {
     html.text += isPlainInAddresses(letter)
                      ? std::string(1, letter)
-                     : formatted("%%%02X", static_cast<unsigned char>(letter));
+                     : fmt::format("%{:02X}", static_cast<unsigned char>(letter));
   }
   return html;
 }

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
@@ -22,9 +24,9 @@ namespace fs = std::filesystem;
 Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
   if (!scene.map->film || !fs::exists(files.film)) return {};
   if (video::readClipMetadata(files.film).comment != store::recordOfFilm(scene)) {
-    throw InputError(files.film.string() +
-                     " isn't the film of the scene's map; make it again, or remove it: " +
-                     remedy("map --film", scene, files.film.parent_path()));
+    throw InputError(
+        fmt::format("{} isn't the film of the scene's map; make it again, or remove it: {}",
+                    files.film.string(), remedy("map --film", scene, files.film.parent_path())));
   }
   const video::PictureSize size = video::readPictureSize(files.film);
   return filled(filmTemplate(), {{"width", {std::to_string(size.width)}},

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/number_text.h"
 #include "base/text.h"
 #include "scene/correction_text.h"
@@ -21,7 +23,7 @@ std::string number(double value) {
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {
-  return "(" + number(vector.x()) + ", " + number(vector.y()) + ", " + number(vector.z()) + ")";
+  return fmt::format("({}, {}, {})", number(vector.x()), number(vector.y()), number(vector.z()));
 }
 
 std::string integratorText(const scene::Panel& motion) {
@@ -40,8 +42,8 @@ std::string stepText(const scene::Panel& motion) {
 std::string springsText(const scene::Panel& motion) {
   const physics::SimulationSettings& settings = motion.simulation;
   if (settings.model != physics::Model::Particles) return "";
-  return number(settings.stiffness) + " N/m, " +
-         (settings.damping > 0 ? "damping " + number(settings.damping) : "undamped");
+  return fmt::format("{} N/m, {}", number(settings.stiffness),
+                     settings.damping > 0 ? "damping " + number(settings.damping) : "undamped");
 }
 
 std::string spinText(const scene::Panel& motion) {
@@ -54,27 +56,26 @@ std::string spinText(const scene::Panel& motion) {
 std::string tiltText(const scene::Panel& motion) {
   const auto& tilt = motion.initial.tilt;
   if (!tilt) return "none";
-  return number(tilt->angle) + " rad toward " +
-         std::string(scene::nameOf(scene::kAxes, tilt->axis));
+  return fmt::format("{} rad toward {}", number(tilt->angle),
+                     scene::nameOf(scene::kAxes, tilt->axis));
 }
 
 std::string bodyText(const scene::Panel& motion) {
   const Eigen::Vector3d size = 1e3 * motion.body.size;
-  return number(size.x()) + " × " + number(size.y()) + " × " + number(size.z()) + " mm, " +
-         number(motion.body.mass) + " kg" + (motion.inertia ? ", own inertia tensor" : "");
+  return fmt::format("{} × {} × {} mm, {} kg{}", number(size.x()), number(size.y()),
+                     number(size.z()), number(motion.body.mass),
+                     motion.inertia ? ", own inertia tensor" : "");
 }
 
 Html cells(const char* tag, const Row& row) {
   Html html;
-  for (const std::string& text : row) {
-    html.text +=
-        std::string("<") + tag + ">" + escaped(text.empty() ? "–" : text).text + "</" + tag + ">";
-  }
+  for (const std::string& text : row)
+    html.text += fmt::format("<{0}>{1}</{0}>", tag, escaped(text.empty() ? "–" : text).text);
   return html;
 }
 
 Html rowHtml(const std::string& name, const Html& content) {
-  return {"<tr><th scope=\"row\">" + escaped(name).text + "</th>" + content.text + "</tr>\n"};
+  return {fmt::format("<tr><th scope=\"row\">{}</th>{}</tr>\n", escaped(name).text, content.text)};
 }
 
 /// Returns whether there are more motions than side by side have room: those of a grid.
@@ -110,7 +111,7 @@ Html headOf(const std::vector<scene::Panel>& motions) {
   if (motions.size() == 1 || isGrid(motions)) return {};
   Row labels;
   for (const scene::Panel& motion : motions) labels.push_back(motion.label);
-  return {"<thead><tr><td></td>" + cells("th", labels).text + "</tr></thead>\n"};
+  return {fmt::format("<thead><tr><td></td>{}</tr></thead>\n", cells("th", labels).text)};
 }
 
 }  // namespace
@@ -125,15 +126,15 @@ Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSe
   rows += rowOf("Spin", motions, &spinText);
   rows += rowOf("Tilt", motions, &tiltText);
   rows += rowOf("Book", motions, &bodyText);
-  const std::string picture = std::to_string(clip.width) + " × " + std::to_string(clip.height) +
-                              ", " + clip.frameRate.text() + " frames/s";
-  rows +=
-      rowHtml("Picture", {"<td colspan=\"" + std::to_string(isGrid(motions) ? 1 : motions.size()) +
-                          "\">" + escaped(picture).text + "</td>"});
-  return {
+  const std::string picture =
+      fmt::format("{} × {}, {} frames/s", clip.width, clip.height, clip.frameRate.text());
+  rows += rowHtml("Picture",
+                  {fmt::format("<td colspan=\"{}\">{}</td>", isGrid(motions) ? 1 : motions.size(),
+                               escaped(picture).text)});
+  return {fmt::format(
       "<div class=\"scroll\" tabindex=\"0\"><table "
-      "class=\"settings\">\n<caption>Settings</caption>\n" +
-      headOf(motions).text + "<tbody>\n" + rows.text + "</tbody></table></div>\n"};
+      "class=\"settings\">\n<caption>Settings</caption>\n{}<tbody>\n{}</tbody></table></div>\n",
+      headOf(motions).text, rows.text)};
 }
 
 }  // namespace rotatebook::page

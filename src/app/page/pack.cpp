@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
@@ -29,9 +31,9 @@ void copyInto(system::AtomicFile& file, const fs::path& from) {
   std::error_code error;
   fs::copy_file(from, file.temporaryPath(), fs::copy_options::overwrite_existing, error);
   if (!error) return;
-  throw MachineError(
-      "can't copy " + from.string() + " to " + file.finalPath().string() + ": " + error.message(),
-      system::kindOfError(error.value()));
+  throw MachineError(fmt::format("can't copy {} to {}: {}", from.string(),
+                                 file.finalPath().string(), error.message()),
+                     system::kindOfError(error.value()));
 }
 
 void recodeInto(system::AtomicFile& file, const Figure& figure, const fs::path& from, int crf) {
@@ -58,8 +60,8 @@ void packClip(const Figure& figure, const Pack& pack, PackFolder& folder,
     return folder.write(figure.clip, "", [&](auto& file) { copyInto(file, from); });
   }
   const std::string source =
-      checksumOf(system::checksumOfFile(from) + '\n' + std::to_string(pack.crf) + '\n' +
-                 system::buildId() + '\n' + video::ffmpegVersion());
+      checksumOf(fmt::format("{}\n{}\n{}\n{}", system::checksumOfFile(from), pack.crf,
+                             system::buildId(), video::ffmpegVersion()));
   if (folder.has(figure.clip, source)) return;
   if (progress) progress(figure.clip);
   folder.write(figure.clip, source, [&](auto& file) { recodeInto(file, figure, from, pack.crf); });
@@ -113,17 +115,17 @@ std::vector<fs::path> filesOfPack(const std::vector<Figure>& figures, const Pack
 void requirePackable(const std::vector<Figure>& figures, const Pack& pack) {
   std::error_code missing;
   if (fs::equivalent(pack.target, pack.results, missing)) {
-    throw InputError(
-        "--pack " + pack.target.string() +
-        " is the folder with the results, whose clips would be replaced; name another");
+    throw InputError(fmt::format(
+        "--pack {} is the folder with the results, whose clips would be replaced; name another",
+        pack.target.string()));
   }
   if (!isArchive(pack)) return PackFolder::requireUsable(pack.target, namesOf(figures));
   requirePackArchive(pack.target);
   try {
     PackFolder::requireUsable(folderOf(pack), namesOf(figures));
   } catch (const InputError& error) {
-    throw InputError(std::string(error.what()) + ", as " + pack.target.string() +
-                     " is put together in that one");
+    throw InputError(
+        fmt::format("{}, as {} is put together in that one", error.what(), pack.target.string()));
   }
 }
 

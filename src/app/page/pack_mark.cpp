@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include <fmt/core.h>
+
 namespace rotatebook::page {
 namespace {
 
@@ -17,8 +19,7 @@ std::string packMarkText(const PackFiles& files) {
   std::string text(kPackHead);
   for (const auto& [name, states] : files) {
     for (const auto& [checksum, source] : states)
-      text +=
-          checksum + ' ' + (source.empty() ? std::string(kNoSource) : source) + ' ' + name + '\n';
+      text += fmt::format("{} {} {}\n", checksum, source.empty() ? kNoSource : source, name);
   }
   return text;
 }

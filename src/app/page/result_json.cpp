@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "page/figure.h"
 
@@ -62,9 +64,9 @@ std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Sc
     return all;
   });
   if (checks) return *checks;
-  throw InputError(
-      file.string() + " isn't the result of the scene's " + command + "; " + again +
-      " (or give this command the same --set): " + remedy(command, scene, file.parent_path()));
+  throw InputError(fmt::format(
+      "{} isn't the result of the scene's {}; {} (or give this command the same --set): {}",
+      file.string(), command, again, remedy(command, scene, file.parent_path())));
 }
 
 }  // namespace rotatebook::page

@@ -1,8 +1,10 @@
 // A clip's metadata and header: any bytes are refused, or tell what the clip says of itself.
+#include <cstring>
 #include <span>
 #include <sstream>
 #include <string>
 
+#include "bridge/bridge.h"
 #include "fuzz/fuzzing.h"
 #include "video/clip_reader.h"
 #include "video/coded_units.h"
@@ -21,5 +23,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   video::PictureOrder(std::span(bytes, size)).isPlain(std::span(bytes, size), 1);
   video::vp9Picture(std::span(bytes, size), {});
   fuzzing::mayRefuse([&] { video::requireWholeFile(file, "clip"); });
+  rb_clip(static_cast<double>(size));
+  std::memcpy(rb_buffer(), bytes, size);  // One piece, as clip's MAX_LENGTH is smaller.
+  fuzzing::require(rb_record(static_cast<std::int32_t>(size)) != 0);
   return 0;
 }

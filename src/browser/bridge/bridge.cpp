@@ -18,6 +18,7 @@
 #include "base/error.h"
 #include "bridge/body_mesh.h"
 #include "bridge/played_scene.h"
+#include "bridge/record_search.h"
 #include "bridge/scene_json.h"
 #include "geometry/book_mesh.h"
 #include "scene/scene_text.h"
@@ -35,6 +36,7 @@ alignas(16) std::array<char, kBufferSize> buffer;
 std::array<std::optional<PlayedScene>, kSlots> slots;
 std::string lastMessage;
 std::map<std::string, std::string> files;  // by name
+RecordSearch search{0};
 
 /// Copies `text` to the buffer as far as there is room; returns its length.
 std::int32_t answer(std::string_view text) {
@@ -270,6 +272,18 @@ std::int32_t rb_table_checksum(std::int32_t slot) {
     }
     return sum.text();
   });
+}
+
+void rb_clip(double size) {
+  search = RecordSearch(static_cast<std::uint64_t>(size > 0 ? std::min(size, 0x1p53) : 0));
+}
+
+double rb_clip_offset() {
+  return static_cast<double>(search.next());
+}
+
+std::int32_t rb_record(std::int32_t length) {
+  return answerOf([&] { return search.take(given(length)); });
 }
 
 const float* rb_mesh_vertices(std::int32_t* count) {

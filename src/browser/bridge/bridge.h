@@ -104,6 +104,18 @@ std::int32_t rb_checksum(std::int32_t slot);
 /// Writes likewise the checksum of the motions' CSV tables, one after the other.
 std::int32_t rb_table_checksum(std::int32_t slot);
 
+/// The bytes of a clip's file that rb_record() takes at once.
+enum { kRecordPiece = 65536 };
+/// Begins to look for the record in a clip's file of `size` bytes, an MP4 or a WebM, which may be
+/// anything; any other search ends.
+void rb_clip(double size);
+/// Returns the offset of the piece of the file that rb_record() takes next. [bytes]
+double rb_clip_offset();
+/// Takes the piece that is in the buffer's first `length` bytes: kRecordPiece, or all that are left
+/// of the file. Writes the record's text once it is found. Returns its length, 0 before, or
+/// negative with the message.
+std::int32_t rb_record(std::int32_t length);
+
 /// Returns the address of the book's mesh: `count[0]` vertices of 10 floats (position in the unit
 /// cube, normal, texture coordinate, sky visibility, surface number), and by rb_mesh_indices() the
 /// indices of part `part` (front, spine, back, pages, lining), three a triangle; null, and 0 of

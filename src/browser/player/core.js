@@ -3,6 +3,7 @@
 const kPlayed = 0, kGhost = 1, kProof = 2;  // Slots: the motion that is played, that of its ghost, that of a clip to prove.
 const kSample = {time: 0, attitude: 1, omega: 5, momentum: 8, energies: 11, tilt: 14, halfTurns: 15, stretch: 16, error: 18,
   regime: 19, held: 20, corners: 21, numbers: 45};
+const kRecordPiece = 65536;  // [bytes]
 const kParts = ["front", "spine", "back", "pages", "lining"];
 
 /** What the core refuses: the message that the program prints. */
@@ -54,9 +55,9 @@ class Core {
   }
 
   /** The buffer's first bytes; a negative length is that of a message. */
-  #text(length) {
+  #text(length, Refusal = SceneError) {
     const text = new TextDecoder().decode(this.module.HEAPU8.slice(this.buffer, this.buffer + Math.abs(length)));
-    if (length < 0) throw new SceneError(text);
+    if (length < 0) throw new Refusal(text);
     return text;
   }
 
@@ -72,6 +73,16 @@ class Core {
       this.module.HEAPU8.set(bytes, this.buffer + nameBytes.length);
       this.#text(this.#call("file", nameBytes.length, bytes.length));
     }
+  }
+
+  /** Begins to look for the record in a clip of `size` bytes. */
+  beginClip(size) { this.#call("clip", size); }
+  /** Where the next piece of the clip begins. */
+  get clipOffset() { return this.#call("clip_offset"); }
+  /** Takes the next piece, of kRecordPiece bytes or what is left; returns the record's text, empty before it is found. */
+  recordText(bytes) {
+    this.module.HEAPU8.set(bytes, this.buffer);
+    return this.#text(this.#call("record", bytes.length), RecordError);
   }
 
   /** Returns the mesh of a motion's body, {vertices, indices, parts}; null for the book. */

@@ -40,8 +40,8 @@ function verdict(core, file, record, motion) {
  * nothing to compare.
  */
 async function proveClip(core, file, progress, isWanted = () => true) {
-  const record = await readRecord(file);
-  if (!isWanted()) return null;
+  const record = await readRecord(core, file, isWanted);
+  if (!record) return null;
   core.read(kProof, record.text);
   if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
   const motion = core.checksum(kProof);

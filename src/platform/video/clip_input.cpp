@@ -6,15 +6,15 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "base/clip_parts.h"
 #include "base/error.h"
 #include "system/read_file.h"
-#include "video/whole_file.h"
+#include "video/layout.h"
 
 namespace rotatebook::video {
 namespace {
@@ -23,8 +23,6 @@ constexpr std::size_t kBufferSize = 65'536;
 /// FFmpeg's largest allocation. A table of a million frames takes 40 MB, the largest picture 54.
 /// [bytes]
 constexpr std::size_t kMaxAllocation = 256'000'000;
-
-constexpr std::size_t kHeadSize = 8;  // Bytes by which MP4s and WebMs are known.
 
 /// Returns whether FFmpeg may have failed because the file is in none of our formats.
 bool isOfNoFormat(int result) {
@@ -91,13 +89,13 @@ std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence
 }
 
 bool ClipInput::beginsAsClip() const {
-  if (io_) {
-    const auto* bytes = reinterpret_cast<const char*>(memory_.bytes.data());
-    std::istringstream head(std::string(bytes, std::min(memory_.bytes.size(), kHeadSize)));
-    return video::beginsAsClip(head);
+  const auto bytes = memory_.bytes.first(std::min(memory_.bytes.size(), kLongestHead));
+  std::string head(bytes.begin(), bytes.end());
+  if (!io_) {
+    std::ifstream file(name_, std::ios::binary);
+    head = bytesAt(file, 0, kLongestHead);
   }
-  std::ifstream file(name_, std::ios::binary);
-  return video::beginsAsClip(file);
+  return beginsAsMp4(head) || beginsAsWebm(head);
 }
 
 void ClipInput::open(AVFormatContext* context, const std::string& url, bool FormatRow::*wanted) {

@@ -111,8 +111,8 @@ class ContentMatcher {
 class LayoutMatcher {
  public:
   LayoutMatcher(std::span<const LayoutRow> rows, const LayoutValues& values, std::istream& file,
-                PartAt partAt, PartOrder order)
-      : rows_(rows), values_(values), file_(file), partAt_(partAt), order_(order) {
+                PartReader reader, PartOrder order)
+      : rows_(rows), values_(values), file_(file), reader_(reader), order_(order) {
     for (const LayoutRow& row : rows) words_.push_back(wordsOf(row.content));
   }
 
@@ -123,7 +123,7 @@ class LayoutMatcher {
     std::map<std::size_t, int> counts;
     std::size_t last = first;
     while (at < end) {
-      const auto part = partAt_(file_, at, end);
+      const auto part = partAt(file_, reader_, at, end);
       if (!part || part->end > end) return nameIn(outer) + " holds damaged or foreign bytes";
       const std::size_t row = rowFor(*part, first, level, counts);
       if (row == rows_.size()) return oddPart(*part, first, level, outer);
@@ -202,7 +202,7 @@ class LayoutMatcher {
   std::span<const LayoutRow> rows_;
   const LayoutValues& values_;
   std::istream& file_;
-  PartAt partAt_;
+  PartReader reader_;
   PartOrder order_;
   std::vector<Words> words_;
 };
@@ -218,10 +218,9 @@ std::string bytesAt(std::istream& file, std::uint64_t at, std::uint64_t count) {
   return bytes;
 }
 
-std::uint64_t bigEndian(std::string_view bytes) {
-  std::uint64_t value = 0;
-  for (const char byte : bytes) value = value << 8 | static_cast<unsigned char>(byte);
-  return value;
+std::optional<Part> partAt(std::istream& file, PartReader reader, std::uint64_t at,
+                           std::uint64_t end) {
+  return reader(bytesAt(file, at, kLongestHead), at, end);
 }
 
 std::string bigEndianBytes(std::uint64_t number, int count) {
@@ -237,8 +236,8 @@ std::uint64_t sizeOf(std::istream& file) {
 }
 
 std::string differenceFrom(std::span<const LayoutRow> rows, const LayoutValues& values,
-                           std::istream& file, PartAt partAt, PartOrder order) {
-  return LayoutMatcher(rows, values, file, partAt, order).difference(0, 0, "", 0, sizeOf(file));
+                           std::istream& file, PartReader reader, PartOrder order) {
+  return LayoutMatcher(rows, values, file, reader, order).difference(0, 0, "", 0, sizeOf(file));
 }
 
 }  // namespace rotatebook::video

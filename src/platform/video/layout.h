@@ -13,15 +13,9 @@
 #include <string_view>
 #include <vector>
 
-namespace rotatebook::video {
+#include "base/clip_parts.h"
 
-/// A box of an MP4 or an element of a WebM.
-struct Part {
-  std::string id;             ///< As in LayoutRow.
-  std::uint64_t start = 0;    ///< Offset of its head. [bytes]
-  std::uint64_t content = 0;  ///< Offset of its content. [bytes]
-  std::uint64_t end = 0;      ///< Offset of its end, which may lie beyond the file's. [bytes]
-};
+namespace rotatebook::video {
 
 inline constexpr int kAnyNumber = std::numeric_limits<int>::max();
 
@@ -29,7 +23,7 @@ inline constexpr int kAnyNumber = std::numeric_limits<int>::max();
 /// Where rows of one level have the same id, each is for the parts that those before it leave over.
 struct LayoutRow {
   int level = 0;                  ///< 0 of the file, 1 in the last row of level 0, and so on.
-  std::string_view id;            ///< "tkhd", or an element's number in hexadecimal digits.
+  std::string_view id;            ///< As in Part.
   int min = 1;                    ///< The fewest that the muxer writes.
   int max = 1;                    ///< The most.
   std::string_view content = "";  ///< Its content, before the parts in it: see LayoutValues.
@@ -58,13 +52,11 @@ struct LayoutValues {
 /// know from those before it; elements of a WebM have no order.
 enum class PartOrder { AsRows, Any };
 
-/// Finds the part at offset `at` of one that ends at offset `end`; nothing if there is none.
-using PartAt = std::optional<Part> (*)(std::istream& file, std::uint64_t at, std::uint64_t end);
-
 /// Reads `count` bytes at offset `at`, fewer where the file ends; takes as much memory.
 std::string bytesAt(std::istream& file, std::uint64_t at, std::uint64_t count);
-/// Returns the unsigned number of big-endian `bytes`, at most eight.
-std::uint64_t bigEndian(std::string_view bytes);
+/// Returns the part at offset `at` of one that ends at offset `end`; nothing if there is none.
+std::optional<Part> partAt(std::istream& file, PartReader reader, std::uint64_t at,
+                           std::uint64_t end);
 /// Returns `number` as `count` bytes, at most eight, the most significant first.
 std::string bigEndianBytes(std::uint64_t number, int count);
 /// Returns the size of `file`. [bytes]
@@ -74,6 +66,6 @@ std::uint64_t sizeOf(std::istream& file);
 /// holds one trak too many", "moov has its udta before its trak"; empty if there is
 /// none. `file` may be anything.
 std::string differenceFrom(std::span<const LayoutRow> rows, const LayoutValues& values,
-                           std::istream& file, PartAt partAt, PartOrder order);
+                           std::istream& file, PartReader reader, PartOrder order);
 
 }  // namespace rotatebook::video

@@ -7,6 +7,9 @@
 #include <limits>
 #include <numeric>
 
+#include "base/clip_parts.h"
+#include "video/layout.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -145,8 +148,8 @@ std::vector<std::string> ratesOf(std::uint64_t size, std::uint64_t clock, std::u
 
 /// Returns the offset of the first sample. [bytes]
 std::uint64_t beginOfSamples(std::istream& file) {
-  std::optional<Part> box = mp4BoxAt(file, 0, sizeOf(file));
-  while (box && box->id != "mdat") box = mp4BoxAt(file, box->end, sizeOf(file));
+  std::optional<Part> box = partAt(file, mp4Box, 0, sizeOf(file));
+  while (box && box->id != "mdat") box = partAt(file, mp4Box, box->end, sizeOf(file));
   return box ? box->content : 0;
 }
 
@@ -185,32 +188,16 @@ LayoutValues valuesOf(const WrittenForm& form, const Payload& payload, std::uint
                     {"comment", {payload.comment}}}};
 }
 
-/// Like mp4BoxAt(); nothing if the box doesn't state its size as the muxer does.
-std::optional<Part> writtenBoxAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
-  const std::optional<Part> box = mp4BoxAt(file, at, end);
+/// Like mp4Box(); nothing if the box doesn't state its size as the muxer does.
+std::optional<Part> writtenBox(std::string_view bytes, std::uint64_t at, std::uint64_t end) {
+  const std::optional<Part> box = mp4Box(bytes, at, end);
   if (!box) return box;
   const std::uint64_t size = box->end - box->start;
   const bool isLong = size > std::numeric_limits<std::uint32_t>::max();
-  return bigEndian(bytesAt(file, at, 4)) == (isLong ? 1 : size) ? box : std::nullopt;
+  return bigEndian(bytes.substr(0, 4)) == (isLong ? 1 : size) ? box : std::nullopt;
 }
 
 }  // namespace
-
-std::optional<Part> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
-  constexpr std::uint64_t kHead = 8;  // Of a box's size and type fields. [bytes]
-  if (at > end || end - at < kHead) return std::nullopt;
-  const std::string head = bytesAt(file, at, 2 * kHead);
-  if (head.size() < kHead) return std::nullopt;
-  std::uint64_t size = bigEndian(std::string_view(head).substr(0, 4)), begin = kHead;
-  if (size == 1) {
-    size = bigEndian(std::string_view(head).substr(kHead));
-    begin = 2 * kHead;
-  }
-  if (size == 0) size = end - at;  // The last box may omit its size.
-  constexpr std::uint64_t kMax = std::uint64_t{1} << 62;
-  if (size < begin || size > kMax) return std::nullopt;
-  return Part{head.substr(4, 4), at, at + begin, at + size};
-}
 
 std::string mp4Difference(std::istream& file, const WrittenForm& form, const Payload& payload) {
   std::array rows = kMp4Rows;
@@ -222,7 +209,7 @@ std::string mp4Difference(std::istream& file, const WrittenForm& form, const Pay
   demand("stss", payload.keys.size() < payload.sizes.size());
   demand("ctts", std::ranges::any_of(payload.delays, [](auto delay) { return delay > 0; }));
   const LayoutValues values = valuesOf(form, payload, beginOfSamples(file));
-  return differenceFrom(rows, values, file, writtenBoxAt, PartOrder::AsRows);
+  return differenceFrom(rows, values, file, writtenBox, PartOrder::AsRows);
 }
 
 }  // namespace rotatebook::video

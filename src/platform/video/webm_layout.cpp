@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <compare>
 #include <cstddef>
 #include <iterator>
@@ -13,15 +12,18 @@
 
 #include <fmt/core.h>
 
+#include "base/clip_parts.h"
+#include "video/layout.h"
+
 namespace rotatebook::video {
 namespace {
 
 // Identifiers of elements (RFC 9559), the marker of their length included.
-constexpr std::string_view kSegment = "18538067", kCluster = "1f43b675", kBlock = "a3",
-                           kGroup = "a0", kAlphaMode = "53c0", kSeekHead = "114d9b74",
-                           kSeek = "4dbb", kSeekId = "53ab", kSeekAt = "53ac", kCues = "1c53bb6b",
-                           kCueTime = "b3", kCuePositions = "b7", kCueAt = "f1", kCueInner = "f0",
-                           kTime = "e7", kGroupBlock = "a1", kReference = "fb";
+constexpr std::string_view kCluster = "1f43b675", kBlock = "a3", kGroup = "a0", kAlphaMode = "53c0",
+                           kSeekHead = "114d9b74", kSeek = "4dbb", kSeekId = "53ab",
+                           kSeekAt = "53ac", kCues = "1c53bb6b", kCueTime = "b3",
+                           kCuePositions = "b7", kCueAt = "f1", kCueInner = "f0", kTime = "e7",
+                           kGroupBlock = "a1", kReference = "fb";
 constexpr std::uint64_t kMaxNumber = 8;  // Of a number. [bytes]
 
 /// All elements. Measured on libavformat 59.27 and 62.19, the times of pictures on 59.27.
@@ -34,7 +36,7 @@ constexpr std::array kWebmRows{
     LayoutRow{1, "4282", 1, 1, "7765626d", "DocType"},
     LayoutRow{1, "4287", 1, 1, "02/04", "DocTypeVersion"},
     LayoutRow{1, "4285", 1, 1, "02", "DocTypeReadVersion"},
-    LayoutRow{0, kSegment, 1, 1, "", "Segment"},
+    LayoutRow{0, kWebmSegment, 1, 1, "", "Segment"},
     LayoutRow{1, kSeekHead, 0, 1, "", "SeekHead"},
     LayoutRow{2, kSeek, 1, 4, "", "Seek"},
     LayoutRow{3, kSeekId, 1, 1, "1549a966/1654ae6b/1254c367/1c53bb6b", "SeekID"},
@@ -99,12 +101,6 @@ constexpr std::array kWebmRows{
     LayoutRow{4, kCueAt, 1, 1, "any", "CueClusterPosition"},
     LayoutRow{4, kCueInner, 0, 1, "any", "CueRelativePosition"}};
 
-std::string hexText(std::uint64_t number) {
-  std::array<char, 16> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, 16);
-  return {digits.data(), end};
-}
-
 /// Returns the clip's length in the muxer's words, "00:00:01.500000000".
 std::string durationText(std::int64_t milliseconds) {
   const std::int64_t seconds = milliseconds / 1000;
@@ -146,8 +142,8 @@ struct Place {
 /// Calls `action` with each element in `outer`.
 template <typename Action>
 void forEachElement(std::istream& file, const Part& outer, const Action& action) {
-  auto element = webmElementAt(file, outer.content, outer.end);
-  for (; element; element = webmElementAt(file, element->end, outer.end)) action(*element);
+  auto element = partAt(file, webmElement, outer.content, outer.end);
+  for (; element; element = partAt(file, webmElement, element->end, outer.end)) action(*element);
 }
 
 /// Returns the first element in `outer` with that identifier.
@@ -167,7 +163,7 @@ std::string contentOf(std::istream& file, const Part& element) {
 Place targetOf(std::istream& file, const Part& pointer) {
   if (pointer.id == kSeek) {
     const std::string id = contentOf(file, elementIn(file, pointer, kSeekId));
-    return {hexText(bigEndian(id)), bigEndian(contentOf(file, elementIn(file, pointer, kSeekAt)))};
+    return {webmId(id), bigEndian(contentOf(file, elementIn(file, pointer, kSeekAt)))};
   }
   const Part positions = elementIn(file, pointer, kCuePositions);
   return {std::string(kCluster), bigEndian(contentOf(file, elementIn(file, positions, kCueAt)))};
@@ -273,38 +269,6 @@ bool cuesAreRight(std::istream& file, const Part& segment, const std::vector<Blo
 
 }  // namespace
 
-std::optional<std::uint64_t> webmLengthIn(std::istream& file) {
-  const int first = file.get();
-  if (first <= 0) return std::nullopt;
-  const int more = std::countl_zero(static_cast<std::uint8_t>(first));
-  const auto mask = static_cast<std::uint64_t>(0x7f >> more);
-  std::uint64_t length = static_cast<std::uint64_t>(first) & mask;
-  bool unknown = length == mask;
-  for (int i = 0; i < more; ++i) {
-    const int byte = file.get();
-    if (byte < 0) return std::nullopt;
-    length = length << 8 | static_cast<std::uint64_t>(byte);
-    unknown = unknown && byte == 0xff;
-  }
-  return unknown ? std::nullopt : std::optional(length);
-}
-
-std::optional<Part> webmElementAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
-  if (at >= end) return std::nullopt;
-  file.clear();
-  file.seekg(static_cast<std::streamoff>(at));
-  const int first = file.peek();
-  if (first <= 0) return std::nullopt;
-  std::uint64_t id = 0;
-  for (int i = std::countl_zero(static_cast<std::uint8_t>(first)); i >= 0; --i) {
-    id = id << 8 | static_cast<std::uint64_t>(file.get() & 0xff);
-  }
-  const auto size = webmLengthIn(file);
-  if (!file || !size) return std::nullopt;
-  const auto content = static_cast<std::uint64_t>(file.tellg());
-  return Part{hexText(id), at, content, content + *size};
-}
-
 std::string webmDifference(std::istream& file, const WrittenForm& form, const Payload& payload) {
   std::array rows = kWebmRows;
   const auto only = [&](std::string_view id, int max) {
@@ -316,9 +280,9 @@ std::string webmDifference(std::istream& file, const WrittenForm& form, const Pa
   only(kGroup, form.transparent ? kAnyNumber : 0);
   only(kBlock, form.transparent ? 0 : kAnyNumber);
   const std::string difference =
-      differenceFrom(rows, valuesOf(form, payload), file, webmElementAt, PartOrder::Any);
+      differenceFrom(rows, valuesOf(form, payload), file, webmElement, PartOrder::Any);
   if (!difference.empty()) return difference;
-  const Part segment = elementIn(file, Part{"", 0, 0, sizeOf(file)}, kSegment);
+  const Part segment = elementIn(file, Part{"", 0, 0, sizeOf(file)}, kWebmSegment);
   const std::vector<Block> blocks = blocksIn(file, segment);
   if (!blocksAreRight(blocks, form, payload)) return "Segment/Cluster has a picture that differs";
   if (!pointersAreRight(file, segment) || !cuesAreRight(file, segment, blocks))

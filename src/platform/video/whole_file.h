@@ -16,7 +16,4 @@ void requireWholeFile(const std::filesystem::path& path);
 /// Like requireWholeFile(path), for a stream whose bytes may be anything; `name` is for messages.
 void requireWholeFile(std::istream& file, const std::string& name);
 
-/// Returns whether `file` begins as MP4s or WebMs do.
-bool beginsAsClip(std::istream& file);
-
 }  // namespace rotatebook::video

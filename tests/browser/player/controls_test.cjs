@@ -2,11 +2,8 @@
 "use strict";
 
 const assert = require("node:assert/strict");
-const fs = require("node:fs");
 const {test, before, after, describe} = require("node:test");
-const {startBrowser, closeBrowser, open, render, playerScripts, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
-
-const {readRecord} = playerScripts(["share", "record"], ["readRecord"]);
+const {startBrowser, closeBrowser, open, render, recordOf, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -216,7 +213,7 @@ describe("the clock", () => {
     });
     console.log(`a thousand steps: ${passed.frames} of ${passed.wanted.toFixed(0)} pictures' time, ${passed.simulated} simulated`);
     const checksum = await checksumOf(page), text = await page.evaluate(() => rotatebook.player.sharedText());
-    const record = await readRecord(new Blob([fs.readFileSync(render("thousand", text))]));
+    const record = await recordOf(render("thousand", text));
     assert.equal(record.motion, checksum);
     await close();
   });

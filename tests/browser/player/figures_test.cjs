@@ -6,9 +6,7 @@ const fs = require("node:fs");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, kTurns, startBrowser, closeBrowser, open, render, rotatebook, checksumOf, playerScripts} = require("./live_page.cjs");
-
-const {readRecord} = playerScripts(["share", "record"], ["readRecord"]);
+const {kOutput, kPlay, kTurns, startBrowser, closeBrowser, open, render, rotatebook, checksumOf, recordOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -21,7 +19,7 @@ test("plays a figure at a click, and finds its checksum that of the clip", async
   assert.ok(await toy.isVisible());
   await toy.click();
   await page.waitForFunction(() => rotatebook.player.scene.tree.title === "A book that turns over");
-  const {motion} = await readRecord(new Blob([fs.readFileSync(clip)]));
+  const {motion} = await recordOf(clip);
   assert.equal(await checksumOf(page), motion);
   assert.match(await page.locator(".rb-checksum").textContent(), /the clip’s own, bit for bit/);
   assert.ok(await page.locator(".rb-stage").evaluate((stage) => stage.getBoundingClientRect().top >= 0 && stage.getBoundingClientRect().top < innerHeight));

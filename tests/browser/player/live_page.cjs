@@ -56,6 +56,18 @@ function playerScripts(files, names) {
   return new Function(`${text}\nreturn {${names.join(", ")}};`)();
 }
 
+/** Returns a core of its own, of the classes that playerScripts() returned. */
+async function coreFor({Core}) {
+  const core = path.join(path.dirname(kPlay), "rotatebook_core");
+  return new Core(await require(core + ".js")({wasmBinary: fs.readFileSync(core + ".wasm")}));
+}
+
+/** Returns the record of a clip's file. */
+async function recordOf(file) {
+  const scripts = playerScripts(["share", "record", "core"], ["readRecord", "Core"]);
+  return scripts.readRecord(await coreFor(scripts), new Blob([fs.readFileSync(file)]));
+}
+
 /** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
 async function open(options = {}, {hash = "", script = null, isReady = "true", file = pathToFileURL(kPlay).href} = {}) {
   const context = await browser.newContext({viewport: kSmall, reducedMotion: "reduce", ...options});
@@ -82,4 +94,4 @@ const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
 const messageOf = (page) => page.locator(".rb-message").textContent();
 const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
 
-module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, render, playerScripts, open, checksumOf, frameOf, sceneOf, messageOf, load};
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, render, playerScripts, coreFor, recordOf, open, checksumOf, frameOf, sceneOf, messageOf, load};

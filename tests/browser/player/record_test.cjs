@@ -3,10 +3,10 @@
 
 const assert = require("node:assert/strict");
 const {test} = require("node:test");
-const {playerScripts} = require("./live_page.cjs");
+const {playerScripts, coreFor} = require("./live_page.cjs");
 
-const {readRecord, proveClip, RecordError, SceneError, Core} = playerScripts(["share", "record", "core", "proof"],
-  ["readRecord", "proveClip", "RecordError", "SceneError", "Core"]);
+const scripts = playerScripts(["share", "record", "core", "proof"], ["readRecord", "proveClip", "RecordError", "SceneError", "Core"]);
+const {proveClip, RecordError, SceneError, Core} = scripts, kCore = coreFor(scripts);
 
 const kSum = "0123456789abcdef0123456789abcdef";
 const kText = `# Made by rotatebook 1.0 from the scene turns\n# Motion: ${kSum}\n\ntitle = "Ein schönes Buch"\n`;
@@ -37,6 +37,7 @@ const tags = (text, name = "COMMENT") => element("1254c367", element("7373", sim
 const kBlock = element("a3", "pictures"), kCluster = "1f43b675";
 const webm = (...parts) => bytes(element("1a45dfa3", "webm"), element("18538067", ...parts));
 
+const readRecord = async (file) => scripts.readRecord(await kCore, file);
 const read = (content) => readRecord(new Blob([content]));
 const refused = (content, pattern) => assert.rejects(read(content), (error) => {
   assert.ok(error instanceof RecordError, String(error.stack));
@@ -144,21 +145,23 @@ test("a folder, or a file that is gone, is said to be", async () => {
     /^holiday can.t be read: it is a folder, or gone\.$/.test(error.message));
 });
 
-/** A core whose motions have 1000 frames; `calls` are of the slots it was called with. */
-const coreOf = (frames = 1000) => ({
+/** A core whose motions have 1000 frames, and that reads clips; `calls` are of the slots it was called with. */
+const coreFrom = (reader, frames) => ({
+  beginClip: (size) => reader.beginClip(size), get clipOffset() { return reader.clipOffset; }, recordText: (bytes) => reader.recordText(bytes),
   calls: [], words: {version: "1.0"}, frames: () => frames, checksum: () => kSum,
   read(slot) { this.calls.push(slot); this.simulated = 0; },
   advance() { this.simulated = Math.min(this.simulated + 1, frames); return this.simulated; }});
+const coreOf = async (frames = 1000) => coreFrom(await kCore, frames);
 const clipOf = (content) => new File([content], "turns.mp4");
 
 test("a proof has a slot of its own, and can be given up", async () => {
-  const core = coreOf(), proof = await proveClip(core, clipOf(mp4(kText)), () => {});
+  const core = await coreOf(), proof = await proveClip(core, clipOf(mp4(kText)), () => {});
   assert.deepEqual([proof.isProved, core.calls], [true, [2]]);
-  const early = coreOf();
+  const early = await coreOf();
   assert.equal(await proveClip(early, clipOf(mp4(kText)), () => {}, () => false), null);
   assert.deepEqual(early.calls, [], "before the core is called");
   let breaths = 0;
-  const late = coreOf(Infinity);
+  const late = await coreOf(Infinity);
   assert.equal(await proveClip(late, clipOf(mp4(kText)), () => {}, () => ++breaths < 3), null);
   assert.equal(breaths, 3);
 });

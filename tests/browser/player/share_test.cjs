@@ -4,9 +4,9 @@
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const {test, before, after} = require("node:test");
-const {startBrowser, closeBrowser, open, render, playerScripts, checksumOf, sceneOf, messageOf, kTurns} = require("./live_page.cjs");
+const {startBrowser, closeBrowser, open, render, playerScripts, recordOf, checksumOf, sceneOf, messageOf, kTurns} = require("./live_page.cjs");
 
-const {readRecord, hashOf} = playerScripts(["share", "record"], ["readRecord", "hashOf"]);
+const {hashOf} = playerScripts(["share"], ["hashOf"]);
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -33,12 +33,12 @@ test("a copied and a saved scene render to the same motion", async () => {
   await page.waitForFunction(() => /clipboard/.test(document.querySelector(".rb-message").textContent));
   const text = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(text, /\[\[nudge\]\]\nat = 0\.8333/);
-  const record = await readRecord(new Blob([fs.readFileSync(render("copied", text))]));
+  const record = await recordOf(render("copied", text));
   assert.equal(record.motion, checksum);
   const [download] = await Promise.all([page.waitForEvent("download"), page.locator("[data-do=save]").click()]);
   assert.equal(fs.readFileSync(await download.path(), "utf8"), text);
   // A scene that differs a little renders to another motion.
-  const other = await readRecord(new Blob([fs.readFileSync(render("other", text.replace("at = 0.8333", "at = 0.8334")))]));
+  const other = await recordOf(render("other", text.replace("at = 0.8333", "at = 0.8334")));
   assert.notEqual(other.motion, checksum);
   assert.deepEqual(problems, []);
   await close();
@@ -84,7 +84,7 @@ test("a damaged link, or one of a broken scene, is said, and the last good scene
 
 test("a page's figure is played, and its checksum compared", async () => {
   const {page, close} = await open();
-  const {motion, text} = await readRecord(new Blob([fs.readFileSync(render("turns", kTurns))]));
+  const {motion, text} = await recordOf(render("turns", kTurns));
   assert.ok(await page.evaluate((scene) => rotatebook.play(scene.text, scene.motion), {text, motion}));
   assert.equal(await checksumOf(page), motion);
   assert.match(await page.locator(".rb-checksum").textContent(), /the clip’s own, bit for bit/);

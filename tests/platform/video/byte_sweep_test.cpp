@@ -12,7 +12,7 @@
 
 #include "video/decoded_video.h"
 #include "video/test_clip.h"
-#include "video/webm_layout.h"
+#include "video/layout.h"
 #include "video/written_form.h"
 
 namespace rotatebook::video {
@@ -78,8 +78,8 @@ bool isNoticed(const std::string& content, const Swept& clip) {
 /// Marks what the file holds of coded pictures in `outer`.
 void markPictures(std::istream& file, const Part& outer, std::vector<bool>& arePictures) {
   constexpr std::uint64_t kHead = 4;  // Of a block: its track, time and flags. [bytes]
-  auto part = webmElementAt(file, outer.content, outer.end);
-  for (; part; part = webmElementAt(file, part->end, outer.end)) {
+  auto part = partAt(file, webmElement, outer.content, outer.end);
+  for (; part; part = partAt(file, webmElement, part->end, outer.end)) {
     const bool isBlock = part->id == "a3" || part->id == "a1", isAlpha = part->id == "a5";
     if (isBlock || isAlpha) {
       const std::uint64_t begin = part->content + (isBlock ? kHead : 0);

@@ -40,24 +40,5 @@ TEST(Mp4Layout, OfAnyBytesIsRefused) {
   EXPECT_EQ(differenceOf(""), "the file lacks ftyp");
 }
 
-TEST(Mp4Box, MayHaveALongSizeOrNone) {
-  std::istringstream file(std::string("\0\0\0\1long\0\0\0\0\0\0\0\x14....\0\0\0\0rest......", 34));
-  const auto box = mp4BoxAt(file, 0, 34);
-  ASSERT_TRUE(box);
-  EXPECT_EQ(box->id, "long");
-  EXPECT_EQ(box->content, 16U);
-  EXPECT_EQ(box->end, 20U);
-  const auto rest = mp4BoxAt(file, 20, 34);
-  ASSERT_TRUE(rest);
-  EXPECT_EQ(rest->id, "rest");
-  EXPECT_EQ(rest->end, 34U);
-  EXPECT_FALSE(mp4BoxAt(file, 30, 34));
-}
-
-TEST(Mp4Box, IsNotSmallerThanItsHead) {
-  std::istringstream file(std::string("\0\0\0\7tiny", 8));
-  EXPECT_FALSE(mp4BoxAt(file, 0, 8));
-}
-
 }  // namespace
 }  // namespace rotatebook::video

@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "plot/grid_margins.h"
@@ -32,9 +34,8 @@ PanelGrid gridOf(const scene::Scene& scene, const std::optional<GridMargins>& ma
   const PanelGrid grid =
       plot::panelGrid(count, scene.clip.width, scene.clip.height - text.bottomRows());
   if (std::min(grid.width, grid.height) >= kSmallestPanel) return grid;
-  throw InputError(scene.name + ": " + std::to_string(count) + " panels have no room in " +
-                   sizeText(scene.clip.width, scene.clip.height) +
-                   " pixels; make the picture larger");
+  throw InputError(fmt::format("{}: {} panels have no room in {} pixels; make the picture larger",
+                               scene.name, count, sizeText(scene.clip.width, scene.clip.height)));
 }
 
 double panelLetters(const scene::Scene& scene) {

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/checksum.h"
 #include "base/clip_limits.h"
 #include "base/error.h"
@@ -116,7 +118,7 @@ SceneBodies bodiesOf(const scene::Scene& scene) {
     all.bodyOf.push_back(static_cast<std::size_t>(same - all.bodies.begin()));
     if (same != all.bodies.end()) continue;
     const std::string key =
-        scene.panels.empty() ? "body.mesh" : "panel." + std::to_string(i) + ".body.mesh";
+        scene.panels.empty() ? "body.mesh" : fmt::format("panel.{}.body.mesh", i);
     all.bodies.push_back({solid, motions[i].body.size, solid.mesh.name.empty() ? "" : key});
   }
   return all;
@@ -141,12 +143,13 @@ std::shared_ptr<const render::SurfaceLook> lookOf(const scene::Scene& scene,
     look->surface = scene::surfaceOf(body.solid);
     std::int64_t pixels = 0;
     for (const std::string& image : look->surface.images) {
-      const std::string number = std::to_string(look->images.size());
-      look->images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
+      look->images.push_back(
+          decoded(image, fmt::format("{}, picture {}", body.solid.mesh.name, look->images.size())));
       pixels += std::int64_t{look->images.back().width()} * look->images.back().height();
       if (pixels > kMaxPicturePixels)
-        throw InputError(body.solid.mesh.name + ": its pictures have more than " +
-                         std::to_string(kMaxPicturePixels) + " pixels in all; make them smaller");
+        throw InputError(
+            fmt::format("{}: its pictures have more than {} pixels in all; make them smaller",
+                        body.solid.mesh.name, kMaxPicturePixels));
     }
     return look;
   });

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 #include "picture/composition.h"
 #include "scene/overlays.h"
@@ -24,13 +26,14 @@ std::string noteOnRoom(const scene::Scene& scene) {
   for (const scene::Overlay overlay : composition.leftOut())
     names.push_back(quotedText(scene::rowOf(overlay).name));
   if (names.empty()) return "";
-  const std::string them = names.size() == 1 ? "it" : "them";
-  return "overlay.show has " + listed(names) + ", for which " +
-         (scene.grid                ? "cells have"
-          : scene.panels.size() > 1 ? "panels have"
-                                    : "a picture has") +
-         " no room in " + sizeText(scene.clip.width, scene.clip.height) +
-         " pixels; make the picture larger, or leave " + them + " out";
+  const char* them = names.size() == 1 ? "it" : "them";
+  const char* have = scene.grid                ? "cells have"
+                     : scene.panels.size() > 1 ? "panels have"
+                                               : "a picture has";
+  return fmt::format(
+      "overlay.show has {}, for which {} no room in {} pixels; make the picture larger, or leave "
+      "{} out",
+      listed(names), have, sizeText(scene.clip.width, scene.clip.height), them);
 }
 
 }  // namespace

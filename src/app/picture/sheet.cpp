@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -50,8 +52,9 @@ void refuseOtherSizes(const std::vector<scene::Scene>& scenes) {
   const scene::ClipSettings& first = scenes.front().clip;
   for (const scene::Scene& scene : scenes) {
     if (scene.clip.width == first.width && scene.clip.height == first.height) continue;
-    throw InputError(scene.name + " differs in size from " + scenes.front().name +
-                     "; set one size for all, for example --size 480x270");
+    throw InputError(
+        fmt::format("{} differs in size from {}; set one size for all, for example --size 480x270",
+                    scene.name, scenes.front().name));
   }
 }
 
@@ -63,11 +66,11 @@ void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& 
       options.times.empty() ? static_cast<std::size_t>(options.count) : options.times.size();
   const double pixels = static_cast<double>(each * scenes.size()) * clip.width * clip.height;
   if (pixels <= kMaxPixels) return;
-  throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
-                   " pictures of " + sizeText(clip.width, clip.height) + ", " +
-                   roundedText(pixels / 1e6, 3) + " million pixels, but may have at most " +
-                   roundedText(kMaxPixels / 1e6, 3) +
-                   "; take fewer or smaller pictures, for example --size 480x270");
+  throw InputError(
+      fmt::format("the sheet would have {} pictures of {}, {} million pixels, but may have at most "
+                  "{}; take fewer or smaller pictures, for example --size 480x270",
+                  each * scenes.size(), sizeText(clip.width, clip.height),
+                  roundedText(pixels / 1e6, 3), roundedText(kMaxPixels / 1e6, 3)));
 }
 
 std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
@@ -132,9 +135,10 @@ Grid gridFor(const std::vector<Cell>& cells, int columns) {
 
 void refuseTooLarge(const Grid& grid) {
   if (grid.width() <= kMaxPictureSide && grid.height() <= kMaxPictureSide) return;
-  throw InputError("the sheet would have " + sizeText(grid.width(), grid.height()) +
-                   " pixels, but a side may have at most " + std::to_string(kMaxPictureSide) +
-                   "; take fewer or smaller pictures, for example --size 480x270");
+  throw InputError(
+      fmt::format("the sheet would have {} pixels, but a side may have at most {}; take fewer or "
+                  "smaller pictures, for example --size 480x270",
+                  sizeText(grid.width(), grid.height()), kMaxPictureSide));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "image/png_file.h"
@@ -17,9 +19,9 @@ std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& moti
   const bool early = motion.allDiverge();
   const double end = early ? static_cast<double>(count) * rate.period() : scene.clip.duration;
   if (time >= 0 && time <= end) return std::min(rate.framesIn(time), count - 1);
-  throw InputError("there is no picture at " + shortestText(time) +
-                   " s: the clip lasts from 0 to " + shortestText(end) + " s" +
-                   (early ? ", a second after its motion diverges" : ""));
+  throw InputError(fmt::format("there is no picture at {} s: the clip lasts from 0 to {} s{}",
+                               shortestText(time), shortestText(end),
+                               early ? ", a second after its motion diverges" : ""));
 }
 
 std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,

@@ -8,6 +8,8 @@
 #include <map>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "image/png_file.h"
 
@@ -23,7 +25,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int lengt
 
 void require(cairo_status_t status, const char* what) {
   if (status == CAIRO_STATUS_SUCCESS) return;
-  throw MachineError(std::string("can't draw ") + what + ": " + cairo_status_to_string(status));
+  throw MachineError(fmt::format("can't draw {}: {}", what, cairo_status_to_string(status)));
 }
 
 /// Paints `sheet` onto `target`, and completes that.

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "overlay/canvas.h"
@@ -95,9 +97,10 @@ void GridMargins::layOut(const scene::Scene& scene, int bottomRows) {
   const int bottom = bottomRows > 0 ? bottomRows : lengths.margin;
   cells_.height = (height - lengths.top - bottom) / rows;
   if (std::min(cells_.width, cells_.height) < kSmallestGridCell) {
-    throw InputError("the " + std::to_string(columns * rows) +
-                     " books of the grid have no room in " + sizeText(width, height) +
-                     " pixels; make the picture larger, or the texts shorter");
+    throw InputError(
+        fmt::format("the {} books of the grid have no room in {} pixels; make the picture larger, "
+                    "or the texts shorter",
+                    columns * rows, sizeText(width, height)));
   }
   for (int i = 0; i < columns * rows; ++i) {
     cells_.positions.push_back(

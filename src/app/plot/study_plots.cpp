@@ -1,12 +1,12 @@
 #include "plot/study_plots.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <set>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "base/text.h"
 #include "plot/plot.h"
@@ -84,10 +84,9 @@ Panel logarithmicPanel(const char* x, const char* y, const std::vector<Series>& 
 
 /// Returns the curve's name and its fitted order.
 std::string nameOf(const study::CurveOrder& order) {
-  std::array<char, 32> fitted{};
-  std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
+  const double fitted = order.fit.order;
   return (order.curve.empty() ? "" : order.curve + "  ") +
-         (std::isnan(order.fit.order) ? "–" : fitted.data());
+         (std::isnan(fitted) ? "–" : fmt::format("{:.2f}", fitted));
 }
 
 /// Returns the errors over `across`, of the runs that show one, curve by curve.

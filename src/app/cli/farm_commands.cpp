@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -22,7 +21,6 @@
 #include "picture/preflight.h"
 #include "plot/map_plot.h"
 #include "store/footprint.h"
-#include "store/result_owners.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -71,24 +69,9 @@ void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
   throw InputError("--chunk: a study is one task; leave it out");
 }
 
-/// Throws InputError if the tasks' results would replace others'.
-void refuseLostResults(const scene::Scene& scene, const PlanWishes& wishes) {
-  const std::string remedy = std::string("the ") + nameOf(wishes.work) + " of " + scene.name +
-                             " would replace it; name another folder with -o";
-  if (wishes.work == farm::Work::Render) {
-    const store::ClipFiles files = store::clipFiles(wishes.folder, scene.name);
-    const std::vector<std::filesystem::path> outputs = outputFiles(files, scene, wishes.formats);
-    store::refuseResultsOfOthers({store::ResultKind::Clip, scene.name}, outputs, remedy);
-    store::refuseNoResultsOfClip(files, outputs, remedy);
-  } else if (wishes.work == farm::Work::Map) {
-    const store::MapFiles files = store::mapFiles(wishes.folder, scene.name);
-    store::refuseResultsOfOthers({store::ResultKind::Map, scene.name}, allOf(files), remedy);
-    store::refuseNoResultsOfMap(files);
-  } else {
-    const store::StudyFiles files = store::studyFiles(wishes.folder, scene.name);
-    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name}, allOf(files), remedy);
-    store::refuseNoResultsOfStudy(files, remedy);
-  }
+store::ResultKind kindOf(farm::Work work) {
+  if (work == farm::Work::Render) return store::ResultKind::Clip;
+  return work == farm::Work::Map ? store::ResultKind::Map : store::ResultKind::Study;
 }
 
 /// Returns the names that submit and its tasks write, move or remove for a scene.
@@ -108,25 +91,23 @@ store::Footprint footprintOfTasks(const scene::Scene& scene, const PlanWishes& w
 std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const PlanWishes& wishes) {
   const farm::Work work = wishes.work;
   std::vector<SceneOfFile> read;
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-  for (const std::string& path : arguments.scenes) {
-    scenes.push_back(arguments.sceneOptions.read(path));
+  const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
+    scene::Scene scene = arguments.sceneOptions.read(path);
     if (work == farm::Work::Render) {
-      picture::preflight(scenes.back());
-      refuseOpaque(scenes.back(), videoFormatsOf(arguments.formats, arguments.noMp4));
+      picture::preflight(scene);
+      refuseOpaque(scene, videoFormatsOf(arguments.formats, arguments.noMp4));
     }
     if (work == farm::Work::Map) {
-      requireMap(scenes.back(), path);
-      plot::requireMapLetters(scenes.back());
+      requireMap(scene, path);
+      plot::requireMapLetters(scene);
     }
-    read.push_back({path, scenes.back()});
-    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
-  }
+    read.push_back({path, scene});
+    return scene;
+  });
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) {
     refuseInputs(footprintOfTasks(scene, wishes), inputs);
-    refuseLostResults(scene, wishes);
+    refuseLostResults(kindOf(work), scene, wishes.folder, wishes.formats);
   }
   return read;
 }

@@ -1,10 +1,15 @@
 #include "cli/input_guard.h"
 
+#include <algorithm>
+#include <iterator>
 #include <system_error>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "picture/named_file.h"
-#include "store/result_owners.h"
+#include "store/map_files.h"
+#include "store/study_files.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
@@ -13,7 +18,7 @@ namespace fs = std::filesystem;
 std::vector<Input> inputsOf(const scene::Scene& scene) {
   std::vector<Input> inputs;
   for (const auto& [path, kind] : picture::namedFiles(scene)) {
-    inputs.push_back({path, "a " + kind + " of the scene " + scene.name});
+    inputs.push_back({path, fmt::format("a {} of the scene {}", kind, scene.name)});
   }
   return inputs;
 }
@@ -22,6 +27,16 @@ std::vector<Input> inputsOf(const fs::path& path, const scene::Scene& scene) {
   std::vector<Input> inputs = inputsOf(scene);
   inputs.push_back({path, "the scene itself"});
   return inputs;
+}
+
+ReadScenes readAllScenes(const std::vector<std::string>& paths,
+                         const std::function<scene::Scene(const std::string& path)>& read) {
+  ReadScenes all;
+  for (const std::string& path : paths) {
+    all.scenes.push_back(read(path));
+    std::ranges::move(inputsOf(path, all.scenes.back()), std::back_inserter(all.inputs));
+  }
+  return all;
 }
 
 store::Footprint footprintOf(const scene::Scene& scene, const pipeline::RenderOptions& options) {
@@ -40,9 +55,10 @@ store::Footprint footprintOf(const scene::Scene& scene, const pipeline::RenderOp
 void refuseInputs(const store::Footprint& footprint, const std::vector<Input>& inputs,
                   const std::string& remedy) {
   for (const auto& [path, what] : inputs) {
-    const auto fate = footprint.fateOf(path);
-    if (fate)
-      throw InputError(path.string() + " is " + what + " and would be " + *fate + "; " + remedy);
+    if (const auto fate = footprint.fateOf(path)) {
+      throw InputError(
+          fmt::format("{} is {} and would be {}; {}", path.string(), what, *fate, remedy));
+    }
   }
 }
 
@@ -53,9 +69,34 @@ void refuseInputs(const fs::path& output, const std::vector<Input>& inputs,
   refuseInputs(footprint, inputs, remedy);
 }
 
+void refuseLostResults(store::ResultKind kind, const scene::Scene& scene, const fs::path& folder,
+                       const std::vector<video::VideoFormat>& formats) {
+  const store::Results own{kind, scene.name};
+  const auto refuse = [&](const char* what, const std::vector<fs::path>& outputs) {
+    std::string remedy =
+        fmt::format("the {} of {} would replace it; name another folder with -o", what, scene.name);
+    store::refuseResultsOfOthers(own, outputs, remedy);
+    return remedy;
+  };
+  if (kind == store::ResultKind::Clip) {
+    const store::ClipFiles files = store::clipFiles(folder, scene.name);
+    const std::vector<fs::path> outputs = outputFiles(files, scene, formats);
+    store::refuseNoResultsOfClip(files, outputs, refuse("render", outputs));
+  } else if (kind == store::ResultKind::Study) {
+    const store::StudyFiles files = store::studyFiles(folder, scene.name);
+    store::refuseNoResultsOfStudy(files, refuse("study", allOf(files)));
+  } else {
+    const store::MapFiles files = store::mapFiles(folder, scene.name);
+    const bool isFilm = kind == store::ResultKind::Film;
+    isFilm ? refuse("film", {files.film}) : refuse("map", allOf(files));
+    if (!isFilm) store::refuseNoResultsOfMap(files);
+  }
+}
+
 void requireEnding(const fs::path& output, const std::string& ending, const std::string& option) {
   if (output.extension() == ending) return;
-  throw InputError(option + " " + output.string() + ": the name of the file must end in " + ending);
+  throw InputError(
+      fmt::format("{} {}: the name of the file must end in {}", option, output.string(), ending));
 }
 
 void requirePictureOutput(const fs::path& output, const std::vector<Input>& inputs) {

@@ -1,7 +1,9 @@
-// Checks of the files that a result would replace: none that it is made from. Inside the room only.
+// The files that a command reads, and those that it would replace: none that it is made from, and
+// none of others. Inside the room only.
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 #include "store/footprint.h"
+#include "store/result_owners.h"
 
 namespace rotatebook::cli {
 
@@ -23,6 +26,16 @@ std::vector<Input> inputsOf(const scene::Scene& scene);
 /// Returns these and the scene's own file, at `path`.
 std::vector<Input> inputsOf(const std::filesystem::path& path, const scene::Scene& scene);
 
+/// Scenes, and the files that they are made from.
+struct ReadScenes {
+  std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
+};
+
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
+ReadScenes readAllScenes(const std::vector<std::string>& paths,
+                         const std::function<scene::Scene(const std::string& path)>& read);
+
 /// Returns the names that a render of `scene` writes, moves or removes.
 store::Footprint footprintOf(const scene::Scene& scene, const pipeline::RenderOptions& options);
 
@@ -34,6 +47,12 @@ void refuseInputs(const store::Footprint& footprint, const std::vector<Input>& i
 /// Throws likewise if the single file `output` is one of `inputs`.
 void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
                   const std::string& remedy = "name another file with -o");
+
+/// Throws InputError if the render (of `formats`), map, film or study of `scene` would replace in
+/// `folder` what it didn't leave.
+void refuseLostResults(store::ResultKind kind, const scene::Scene& scene,
+                       const std::filesystem::path& folder,
+                       const std::vector<video::VideoFormat>& formats = {});
 
 /// Throws InputError if `output`, the value of `option`, hasn't the ending of its format: a clip,
 /// for example, isn't to be replaced by a picture.

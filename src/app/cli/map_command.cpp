@@ -1,15 +1,15 @@
 #include <algorithm>
-#include <exception>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "cli/batch.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -24,7 +24,6 @@
 #include "plot/map_plot.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
-#include "store/result_owners.h"
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "study/map_result.h"
@@ -33,33 +32,42 @@
 namespace rotatebook::cli {
 namespace {
 
-/// A scene, and as much of its map's outcome as there is.
-struct MappedScene {
-  scene::Scene scene;
-  std::optional<study::MapFacts> facts{};
-  std::vector<study::MarkedValue> marks{};
-  std::vector<study::ExpectedOfMap> expected{};
-  std::vector<std::string> files{};  ///< That were written.
-  bool interrupted = false;
-  std::string error{};  ///< Empty if there was none.
-
-  bool isMet() const { return std::ranges::all_of(expected, &study::ExpectedOfMap::isMet); }
+struct MapArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  std::string folder = "out";
+  std::string part;
+  pipeline::MapOptions options;
+  bool json = false;
+  bool film = false;
 };
 
-std::string countText(std::int64_t count, const char* what) {
-  return count > 0 ? std::to_string(count) + " " + what : "";
-}
+/// A scene, the files of its map, and as much of its outcome as there is.
+struct MapTask {
+  scene::Scene scene;
+  store::MapFiles files;
+  std::vector<std::filesystem::path> outputs;  ///< All that is written.
+  std::optional<study::MapFacts> facts{};
+  std::vector<study::ExpectedOfMap> expected{};
+  std::vector<std::string> written{};
+  bool interrupted = false;
+  std::string error{};
+};
 
 std::string factsLine(const study::MapFacts& facts) {
   constexpr int kDigits = 4;
-  const std::string values = facts.withValue() == 0
-                                 ? "no run has a value"
-                                 : "values from " + roundedText(facts.smallest, kDigits) + " to " +
-                                       roundedText(facts.largest, kDigits) + ", mean " +
-                                       roundedText(facts.mean, kDigits);
-  return std::to_string(facts.runs) + " runs: " +
-         joined({values, countText(facts.never, "never"), countText(facts.diverged, "diverged"),
-                 countText(facts.refused, "refused")});
+  const auto countText = [](std::int64_t count, const char* what) {
+    return count > 0 ? fmt::format("{} {}", count, what) : "";
+  };
+  const std::string values =
+      facts.withValue() == 0
+          ? "no run has a value"
+          : fmt::format("values from {} to {}, mean {}", roundedText(facts.smallest, kDigits),
+                        roundedText(facts.largest, kDigits), roundedText(facts.mean, kDigits));
+  return fmt::format(
+      "{} runs: {}", facts.runs,
+      joined({values, countText(facts.never, "never"), countText(facts.diverged, "diverged"),
+              countText(facts.refused, "refused")}));
 }
 
 std::string valueText(double value) {
@@ -77,215 +85,146 @@ std::string valueText(double value) {
   return roundedText(value, kDigits);
 }
 
-std::string mapJson(const MappedScene& mapped) {
+std::string mapJson(const MapTask& task) {
   return JsonObject()
-      .addString("name", mapped.scene.name)
-      .addString("title", mapped.scene.title)
-      .addBool("interrupted", mapped.interrupted)
-      .addStringOrNull("error", mapped.error)
-      .add("files", jsonArrayOf(mapped.files, jsonString))
-      .add("facts", mapped.facts ? study::factsJson(*mapped.facts) : "null")
-      .add("expectations", study::expectationsJson(mapped.expected, *mapped.scene.map))
+      .addString("name", task.scene.name)
+      .addString("title", task.scene.title)
+      .addBool("interrupted", task.interrupted)
+      .addStringOrNull("error", task.error)
+      .add("files", jsonArrayOf(task.written, jsonString))
+      .add("facts", task.facts ? study::factsJson(*task.facts) : "null")
+      .add("expectations", study::expectationsJson(task.expected, *task.scene.map))
       .text();
 }
 
-/// Prints a line for the values, and one for each mark and each expectation.
-void reportMap(const MappedScene& mapped, std::ostream& out) {
-  if (mapped.facts) out << "  " << factsLine(*mapped.facts) << '\n';
-  for (const study::MarkedValue& marked : mapped.marks) {
-    out << "  " << marked.mark.label << " at [" << shortestText(marked.mark.x) << ", "
-        << shortestText(marked.mark.y) << "]: " << joinedOf(marked.values, valueText) << '\n';
-  }
-  for (const study::ExpectedOfMap& one : mapped.expected) {
-    out << "  " << reportLine(one.subject(), one.expectation.bounds, one.measured) << '\n';
-  }
-}
-
-/// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
-void reportMapsAsJson(const std::vector<MappedScene>& maps, bool interrupted, std::ostream& out) {
-  out << JsonObject()
-             .addBool("interrupted", interrupted)
-             .add("maps", jsonArrayOf(maps, mapJson))
-             .text()
-      << '\n';
-}
-
-struct MapArguments {
-  std::vector<std::string> scenes;
-  SceneOptions sceneOptions;
-  std::string folder = "out";
-  int threads = 0;
-  std::string part;
-  bool resume = false;
-  bool overwrite = false;
-  bool json = false;
-  bool film = false;
-};
-
-/// A scene and the files of its map.
-struct MapTask {
-  scene::Scene scene;
-  store::MapFiles files;
-  std::vector<std::filesystem::path> outputs;  ///< All that is written.
-};
-
-/// Throws InputError if a map or its film would replace what it didn't leave.
-void refuseLostResults(const MapTask& task, const MapArguments& arguments) {
-  const store::ResultKind kind = arguments.film ? store::ResultKind::Film : store::ResultKind::Map;
-  store::refuseResultsOfOthers({kind, task.scene.name}, task.outputs,
-                               std::string("the ") + (arguments.film ? "film" : "map") + " of " +
-                                   task.scene.name +
-                                   " would replace it; name another folder with -o");
-  if (!arguments.film) store::refuseNoResultsOfMap(task.files);
-}
-
-/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<MapTask> readMapTasks(const MapArguments& arguments,
                                   const pipeline::MapOptions& options) {
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-  for (const std::string& path : arguments.scenes) {
-    scenes.push_back(arguments.sceneOptions.read(path));
-    requireMap(scenes.back(), path);
-    plot::requireMapLetters(scenes.back());
-    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
-  }
+  const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
+    scene::Scene scene = arguments.sceneOptions.read(path);
+    requireMap(scene, path);
+    plot::requireMapLetters(scene);
+    return scene;
+  });
   refuseSameNames(scenes);
+  const bool film = arguments.film;
   std::vector<MapTask> tasks;
   for (const scene::Scene& scene : scenes) {
     const store::MapFiles files = store::mapFiles(arguments.folder, scene.name);
-    tasks.push_back({scene, files, arguments.film ? std::vector{files.film} : allOf(files)});
+    tasks.push_back({scene, files, film ? std::vector{files.film} : allOf(files)});
     store::Footprint footprint;
     footprint.addMap(files);
     refuseInputs(footprint, inputs);
-    refuseLostResults(tasks.back(), arguments);
-    if (arguments.film) {
-      pipeline::requireMayReplaceFilm(scene, files, options);
-    } else {
-      pipeline::requireMayReplaceMap(scene, files, options);
-    }
+    refuseLostResults(film ? store::ResultKind::Film : store::ResultKind::Map, scene,
+                      arguments.folder);
+    (film ? pipeline::requireMayReplaceFilm : pipeline::requireMayReplaceMap)(scene, files,
+                                                                              options);
   }
   return tasks;
 }
 
-/// Makes the runs, and shows their progress.
-pipeline::MadeMap runTiles(const MapTask& task, const study::MapRuns& runs,
-                           pipeline::MapOptions options) {
-  ProgressLine progress(task.scene.name, "tiles");
+/// Returns the outcome of `make`, which is given the options with a line of progress in `unit`.
+template <typename Make>
+auto withProgress(const MapTask& task, pipeline::MapOptions options, const char* unit,
+                  const Make& make) {
+  ProgressLine progress(task.scene.name, unit);
   options.execution.progress = progress.updater();
-  return pipeline::makeMap(task.scene, runs, task.files, options);
+  return make(options);
 }
 
-int reportPart(const pipeline::MadeMap& made, const store::ClipPart& part, std::ostream& out) {
-  out << "  part " << part.number << " of " << part.count << " is done: " << made.tiles
-      << (made.tiles == 1 ? " tile" : " tiles") << std::endl;
-  return kDone;
+/// Reports what there is of an interrupted map or film; returns the status.
+int reportInterrupt(MapTask& task, const std::string& finished, const std::filesystem::path& folder,
+                    std::ostream& out) {
+  out << fmt::format("  interrupted; {} are in {}; go on with --resume", finished, folder.string())
+      << std::endl;
+  task.interrupted = true;
+  return interruptStatus();
 }
 
-int runMapTask(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
-               std::ostream& out) {
-  out << task.scene.name << ": " << task.scene.title << std::endl;
+void reportKept(const std::string& found, std::ostream& out) {
+  out << fmt::format("  kept {} of an earlier run\n", found);
+}
+
+void reportWritten(const MapTask& task, std::ostream& out) {
+  out << "  wrote " << oneLine(listed(task.written)) << std::endl;
+}
+
+/// Reports the values, the marks and the expectations.
+void reportResult(MapTask& task, const study::MapResult& result, const study::MapRuns& runs,
+                  std::ostream& out) {
+  task.facts = factsOf(result);
+  task.expected = expectedOf(result, *task.scene.map, runs);
+  out << "  " << factsLine(*task.facts) << '\n';
+  for (const auto& [mark, values] : result.marks) {
+    out << fmt::format("  {} at [{}, {}]: {}\n", mark.label, shortestText(mark.x),
+                       shortestText(mark.y), joinedOf(values, valueText));
+  }
+  for (const study::ExpectedOfMap& one : task.expected) {
+    out << "  " << reportLine(one.subject(), one.expectation.bounds, one.measured) << '\n';
+  }
+}
+
+int runMapTask(MapTask& task, const pipeline::MapOptions& options, std::ostream& out) {
   const study::MapRuns runs(task.scene);
   const system::AdvisoryLock lock(task.files.npy,
                                   options.part ? system::Lock::Shared : system::Lock::Exclusive);
-  const pipeline::MadeMap made = runTiles(task, runs, options);
-  if (!made.isWhole) {
-    out << "  interrupted; " << made.finished << " of " << made.tiles << " tiles are in "
-        << task.files.tiles.string() << "; go on with --resume" << std::endl;
-    mapped.interrupted = true;
-    return interruptStatus();
+  const pipeline::MadeMap made =
+      withProgress(task, options, "tiles", [&](const pipeline::MapOptions& shown) {
+        return pipeline::makeMap(task.scene, runs, task.files, shown);
+      });
+  const auto tiles = [&](std::size_t count) {
+    return fmt::format("{} of {} tiles", count, made.tiles);
+  };
+  if (!made.isWhole) return reportInterrupt(task, tiles(made.finished), task.files.tiles, out);
+  if (made.found > 0) reportKept(tiles(made.found), out);
+  if (options.part) {
+    out << fmt::format("  part {} of {} is done: {} tile{}", options.part->number,
+                       options.part->count, made.tiles, made.tiles == 1 ? "" : "s")
+        << std::endl;
+    return kDone;
   }
-  if (made.found > 0) {
-    out << "  kept " << made.found << " of " << made.tiles << " tiles of an earlier run\n";
-  }
-  if (options.part) return reportPart(made, *options.part, out);
-  mapped.facts = factsOf(made.result);
-  mapped.marks = made.result.marks;
-  mapped.expected = expectedOf(made.result, *task.scene.map, runs);
-  reportMap(mapped, out);
-  mapped.files = pipeline::writeMap(task.scene, runs, made.result, task.files);
-  out << "  wrote " << oneLine(listed(mapped.files)) << std::endl;
-  return statusOf(mapped.isMet());
+  reportResult(task, made.result, runs, out);
+  task.written = pipeline::writeMap(task.scene, runs, made.result, task.files);
+  reportWritten(task, out);
+  return statusOf(std::ranges::all_of(task.expected, &study::ExpectedOfMap::isMet));
 }
 
-/// Makes the frames, and shows their progress.
-pipeline::MadeFilm runFrames(const MapTask& task, pipeline::MapOptions options) {
-  ProgressLine progress(task.scene.name, "frames");
-  options.execution.progress = progress.updater();
-  return pipeline::makeFilm(task.scene, task.files, options);
-}
-
-int runFilmTask(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
-                std::ostream& out) {
-  out << task.scene.name << ": " << task.scene.title << std::endl;
+int runFilmTask(MapTask& task, const pipeline::MapOptions& options, std::ostream& out) {
   const system::AdvisoryLock lock(task.files.film, system::Lock::Exclusive);
-  const pipeline::MadeFilm made = runFrames(task, options);
-  if (!made.isWhole) {
-    out << "  interrupted; " << made.finished << " of " << made.frames << " frames are in "
-        << task.files.filmFrames.string() << "; go on with --resume" << std::endl;
-    mapped.interrupted = true;
-    return interruptStatus();
-  }
+  const pipeline::MadeFilm made =
+      withProgress(task, options, "frames", [&](const pipeline::MapOptions& shown) {
+        return pipeline::makeFilm(task.scene, task.files, shown);
+      });
+  const auto frames = [&](std::size_t count) {
+    return fmt::format("{} of {} frames", count, made.frames);
+  };
+  if (!made.isWhole)
+    return reportInterrupt(task, frames(made.finished), task.files.filmFrames, out);
   if (made.wasDone) {
     out << "  already done: " << oneLine(task.files.film.string()) << std::endl;
     return kDone;
   }
-  if (made.found > 0) {
-    out << "  kept " << made.found << " of " << made.frames << " frames of an earlier run\n";
-  }
-  mapped.files = {task.files.film.string()};
-  out << "  wrote " << oneLine(listed(mapped.files)) << std::endl;
+  if (made.found > 0) reportKept(frames(made.found), out);
+  task.written = {task.files.film.string()};
+  reportWritten(task, out);
   return kDone;
 }
 
-/// Makes a map or a film.
-using RunMapTask = int(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
-                       std::ostream& out);
-
-int runMapTasks(const std::vector<MapTask>& tasks, RunMapTask* runTask,
-                const pipeline::MapOptions& options, std::vector<MappedScene>& mapped,
-                std::ostream& out) {
-  for (const MapTask& task : tasks) {
-    system::createFolders(task.files.png().parent_path());
-    store::requireWritable(task.outputs);
-  }
-  int status = kDone;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    int outcome = kDone;
-    try {
-      outcome = runTask(tasks[i], options, mapped[i], out);
-    } catch (const std::exception& error) {
-      mapped[i].error = error.what();
-      throw;
-    }
-    if (outcome >= kInterrupted) return outcome;
-    status = std::max(status, outcome);
-  }
-  return status;
-}
-
-/// Prints one JSON object at the end, also after an error, which it reports.
-int runMapTasksAsJson(const std::vector<MapTask>& tasks, RunMapTask* runTask,
-                      const pipeline::MapOptions& options, std::vector<MappedScene>& mapped) {
-  std::ostream nowhere(nullptr);
-  const int status = guarded([&] { return runMapTasks(tasks, runTask, options, mapped, nowhere); });
-  reportMapsAsJson(mapped, status >= kInterrupted, std::cout);
-  return status;
-}
-
 int makeMaps(const MapArguments& arguments) {
-  pipeline::MapOptions options;
-  options.resume = arguments.resume;
-  options.overwrite = arguments.overwrite;
-  options.execution.threads = arguments.threads;
+  pipeline::MapOptions options = arguments.options;
   if (!arguments.part.empty()) options.part = partOf(arguments.part);
-  const std::vector<MapTask> tasks = readMapTasks(arguments, options);
+  std::vector<MapTask> tasks = readMapTasks(arguments, options);
   options.execution.stop = &catchInterrupts();
-  std::vector<MappedScene> mapped;
-  for (const MapTask& task : tasks) mapped.push_back({task.scene});
-  RunMapTask* runTask = arguments.film ? runFilmTask : runMapTask;
-  return reportIfUnmet(arguments.json ? runMapTasksAsJson(tasks, runTask, options, mapped)
-                                      : runMapTasks(tasks, runTask, options, mapped, std::cout));
+  const auto run = [&](std::ostream& out) {
+    for (const MapTask& task : tasks) {
+      system::createFolders(task.files.png().parent_path());
+      store::requireWritable(task.outputs);
+    }
+    return inTurn(tasks, [&](std::size_t i) {
+      out << tasks[i].scene.name << ": " << tasks[i].scene.title << std::endl;
+      return (arguments.film ? runFilmTask : runMapTask)(tasks[i], options, out);
+    });
+  };
+  return reportIfUnmet(reportBatch(arguments.json, "maps", tasks, run, mapJson));
 }
 
 }  // namespace
@@ -296,15 +235,15 @@ void addMapCommand(CLI::App& program, Action& action) {
   command.add_option("SCENE", arguments.scenes, "Scene files with [map]")->required();
   addOption(command, "-o,--output", "DIR", arguments.folder, "Folder for the results")
       ->capture_default_str();
-  addOption(command, "--threads", "N", arguments.threads,
+  addOption(command, "--threads", "N", arguments.options.execution.threads,
             "Threads to run on; by default one for each core. The results are the same")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--resume", arguments.resume,
+  command.add_flag("--resume", arguments.options.resume,
                    "Go on where a map stopped, and keep values of the same settings");
   command.add_flag("--film", arguments.film,
                    "Make the film that map.film describes, DIR/NAME.film.mp4, and nothing else");
   CLI::Option* overwrite =
-      command.add_flag("--overwrite", arguments.overwrite,
+      command.add_flag("--overwrite", arguments.options.overwrite,
                        "Discard tiles and values of other settings; without --resume, all tiles");
   addOption(command, "--part", "I/N", arguments.part,
             "Only the I-th of N parts, I from 1 to N: tiles alone, to be joined")

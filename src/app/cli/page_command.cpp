@@ -57,19 +57,10 @@ std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   return once;
 }
 
-/// The scenes that are shown, and the files that they are read from.
-struct Shown {
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-};
-
-Shown readAll(const PageArguments& arguments) {
-  Shown shown;
-  for (const std::string& path : withoutRepeats(arguments.scenes)) {
-    shown.scenes.push_back(arguments.sceneOptions.read(path));
-    const std::vector<Input> inputs = inputsOf(path, shown.scenes.back());
-    shown.inputs.insert(shown.inputs.end(), inputs.begin(), inputs.end());
-  }
+ReadScenes readShown(const PageArguments& arguments) {
+  ReadScenes shown = readAllScenes(withoutRepeats(arguments.scenes), [&](const std::string& path) {
+    return arguments.sceneOptions.read(path);
+  });
   refuseSameNames(shown.scenes);
   if (!arguments.live.empty())
     shown.inputs.push_back({arguments.live, "the live book that --live names"});
@@ -93,7 +84,7 @@ bool needsThumbnail(const page::Figure& figure) {
   return figure.kind != page::FigureKind::Study && figure.kind != page::FigureKind::Map;
 }
 
-void drawThumbnails(const Shown& shown, const PageArguments& arguments,
+void drawThumbnails(const ReadScenes& shown, const PageArguments& arguments,
                     std::vector<page::Figure>& figures) {
   const auto fileOf = [&](std::size_t i) {
     return store::clipFiles(arguments.folder, shown.scenes[i].name).thumbnail;
@@ -122,7 +113,7 @@ std::string liveOf(const PageArguments& arguments) {
   return arguments.live.empty() ? "" : system::readInput(arguments.live, kLongestFragment);
 }
 
-std::vector<page::Figure> readFigures(const Shown& shown, const PageArguments& arguments,
+std::vector<page::Figure> readFigures(const ReadScenes& shown, const PageArguments& arguments,
                                       bool isPacked) {
   std::vector<page::Figure> figures;
   for (const scene::Scene& scene : shown.scenes) {
@@ -148,7 +139,7 @@ struct PackToWrite {
 };
 
 /// Returns it once nothing is in its way; nothing without --pack.
-std::optional<PackToWrite> packOf(const Shown& shown, const PageArguments& arguments) {
+std::optional<PackToWrite> packOf(const ReadScenes& shown, const PageArguments& arguments) {
   if (arguments.pack.empty()) return std::nullopt;
   PackToWrite all{{arguments.folder, arguments.pack, arguments.packCrf},
                   readFigures(shown, arguments, true)};
@@ -178,7 +169,7 @@ void refuseOtherPage(const fs::path& path) {
 }
 
 int writePage(const PageArguments& arguments) {
-  const Shown shown = readAll(arguments);
+  const ReadScenes shown = readShown(arguments);
   const auto path = fs::path(arguments.folder) / page::kPageName;
   refuseInputs(path, shown.inputs, kOtherFolder);
   refuseOtherPage(path);

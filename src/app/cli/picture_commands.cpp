@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -79,13 +78,9 @@ int writeStill(const StillArguments& arguments) {
     throw InputError("--time is of a single picture; --times are of several");
   if (!isSheet && arguments.sheet.columns)
     throw InputError("--columns is of several pictures; add --count, --times or another scene");
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-  for (const std::string& path : arguments.scenes) {
-    scenes.push_back(arguments.sceneOptions.read(path));
-    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
-    if (arguments.noCaption) leaveOutCaption(scenes.back());
-  }
+  auto [scenes, inputs] = readAllScenes(
+      arguments.scenes, [&](const std::string& path) { return arguments.sceneOptions.read(path); });
+  if (arguments.noCaption) std::ranges::for_each(scenes, leaveOutCaption);
   const std::string output = outputOf(arguments, scenes);
   requirePictureOutput(output, inputs);
   std::error_code ignored;

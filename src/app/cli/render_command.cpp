@@ -1,7 +1,7 @@
-#include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "cli/clip_options.h"
@@ -39,8 +39,8 @@ struct RenderArguments {
 
 store::FrameRange rangeOf(const std::string& text) {
   if (const auto range = store::parseRange(text)) return *range;
-  throw InputError("--frames " + text +
-                   ": not a range; write first:end, for example 0:60 for the first 60 frames");
+  throw InputError(fmt::format(
+      "--frames {}: not a range; write first:end, for example 0:60 for the first 60 frames", text));
 }
 
 std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
@@ -55,24 +55,22 @@ void refuseOtherOutputs(const RenderArguments& arguments) {
   const bool isOther = arguments.noMp4 || arguments.formats != RenderArguments().formats ||
                        !arguments.frames.empty() || !arguments.part.empty();
   if (arguments.destination().name.empty() || !isOther) return;
-  throw InputError("--output " + arguments.outputs.back() +
-                   " is the whole clip as a video; name a folder with --format, --no-mp4, --frames "
-                   "and --part");
+  throw InputError(fmt::format(
+      "--output {} is the whole clip as a video; name a folder with --format, --no-mp4, --frames "
+      "and --part",
+      arguments.outputs.back()));
 }
 
-/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
                                       const pipeline::RenderOptions& options) {
   const std::string name = arguments.destination().name;
   std::vector<SceneToRender> read;
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-  for (const std::string& path : arguments.scenes) {
-    scenes.push_back(arguments.sceneOptions.read(path));
-    if (!name.empty()) scenes.back().name = name;
-    read.push_back({scenes.back(), picture::preflight(scenes.back()), !arguments.noExpect});
-    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
-  }
+  const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
+    scene::Scene scene = arguments.sceneOptions.read(path);
+    if (!name.empty()) scene.name = name;
+    read.push_back({scene, picture::preflight(scene), !arguments.noExpect});
+    return scene;
+  });
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) {
     refuseOpaque(scene, formatsOf(options.outputs));
@@ -100,8 +98,7 @@ int render(const RenderArguments& arguments) {
   const std::vector<SceneToRender> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0 ? arguments.atATime : scenesAtATime(scenes);
-  const auto renderEach = arguments.json ? renderScenesAsJson : renderScenes;
-  return reportIfUnmet(renderEach(scenes, options, atATime));
+  return reportIfUnmet(renderScenes(scenes, options, atATime, arguments.json));
 }
 
 constexpr const char* kRenderFooter = R"(

@@ -84,28 +84,6 @@ void addResult(const pipeline::RenderResult& result, const pipeline::RenderOptio
       .addStringOrNull("note", result.remainder);
 }
 
-std::string sceneJson(const RenderedScene& rendered, const pipeline::RenderOptions& options) {
-  const scene::Scene& scene = rendered.scene;
-  const pipeline::RenderStart start = rendered.start.value_or(pipeline::RenderStart{});
-  JsonObject object;
-  object.addString("name", scene.name)
-      .addString("title", scene.title)
-      .addInteger("width", scene.clip.width)
-      .addInteger("height", scene.clip.height)
-      .addNumber("frames_per_second",
-                 1.0 * scene.clip.frameRate.numerator / scene.clip.frameRate.denominator)
-      .addNumber("duration_s", scene.clip.duration)
-      .addStringOrNull("renderer", start.renderer)
-      .addStringOrNull("encoders", start.encoders)
-      .addBool("already_done", rendered.result && rendered.result->wasDone)
-      .addBool("interrupted", rendered.interrupted)
-      .addStringOrNull("error", rendered.error);
-  pipeline::RenderResult none;
-  none.interrupted = true;
-  addResult(rendered.result.value_or(none), options, object);
-  return object.add("motions", motionsJson(rendered.motions)).text();
-}
-
 }  // namespace
 
 void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& options,
@@ -163,15 +141,26 @@ void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
   if (!result.interrupted) reportNotes(rendered.scene, rendered.motions, out);
 }
 
-void reportRendersAsJson(const std::vector<RenderedScene>& scenes,
-                         const pipeline::RenderOptions& options, bool interrupted,
-                         std::ostream& out) {
-  const auto asJson = [&](const RenderedScene& one) { return sceneJson(one, options); };
-  out << JsonObject()
-             .addBool("interrupted", interrupted)
-             .add("scenes", jsonArrayOf(scenes, asJson))
-             .text()
-      << '\n';
+std::string renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options) {
+  const scene::Scene& scene = rendered.scene;
+  const pipeline::RenderStart start = rendered.start.value_or(pipeline::RenderStart{});
+  JsonObject object;
+  object.addString("name", scene.name)
+      .addString("title", scene.title)
+      .addInteger("width", scene.clip.width)
+      .addInteger("height", scene.clip.height)
+      .addNumber("frames_per_second",
+                 1.0 * scene.clip.frameRate.numerator / scene.clip.frameRate.denominator)
+      .addNumber("duration_s", scene.clip.duration)
+      .addStringOrNull("renderer", start.renderer)
+      .addStringOrNull("encoders", start.encoders)
+      .addBool("already_done", rendered.result && rendered.result->wasDone)
+      .addBool("interrupted", rendered.interrupted)
+      .addStringOrNull("error", rendered.error);
+  pipeline::RenderResult none;
+  none.interrupted = true;
+  addResult(rendered.result.value_or(none), options, object);
+  return object.add("motions", motionsJson(rendered.motions)).text();
 }
 
 }  // namespace rotatebook::cli

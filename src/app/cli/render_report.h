@@ -36,9 +36,7 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
 /// though it was made with other settings, what couldn't be removed, and notes on its motions.
 void reportRenderNotes(const RenderedScene& rendered, std::ostream& out);
 
-/// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
-void reportRendersAsJson(const std::vector<RenderedScene>& scenes,
-                         const pipeline::RenderOptions& options, bool interrupted,
-                         std::ostream& out);
+/// Returns all of it as a JSON object.
+std::string renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options);
 
 }  // namespace rotatebook::cli

@@ -11,6 +11,7 @@
 #include <sstream>
 #include <string>
 
+#include "cli/batch.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/motion_report.h"
@@ -52,37 +53,22 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
   rendered.interrupted = rendered.result->interrupted;
 }
 
-/// Renders a scene likewise, and keeps the message of an error that is thrown.
-void renderOrNoteError(const SceneToRender& one, const pipeline::RenderOptions& options,
-                       const Progress& progress, std::ostream& out, RenderedScene& rendered) {
-  try {
-    render(one, options, progress, out, rendered);
-  } catch (const std::exception& error) {
-    rendered.error = error.what();
-    throw;
-  }
-}
-
 int outcomeOf(const RenderedScene& rendered) {
   return rendered.interrupted ? interruptStatus() : statusOf(timeline::allMet(rendered.motions));
 }
 
 int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  std::ostream& out, std::vector<RenderedScene>& rendered) {
-  int status = kDone;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
+  return inTurn(rendered, [&](std::size_t i) {
     {
       ProgressLine line(scenes[i].scene.name);
       const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
-      renderOrNoteError(scenes[i], options, progress, out, rendered[i]);
+      render(scenes[i], options, progress, out, rendered[i]);
     }
     reportRender(rendered[i], options, out);
     reportRenderNotes(rendered[i], std::cerr);
-    const int outcome = outcomeOf(rendered[i]);
-    if (outcome >= kInterrupted) return outcome;
-    status = std::max(status, outcome);
-  }
-  return status;
+    return outcomeOf(rendered[i]);
+  });
 }
 
 /// Renders of several scenes at the same time. Their reports are printed on the caller's thread.
@@ -147,7 +133,8 @@ class ParallelRenders {
       one.done = now.done;
     };
     try {
-      renderOrNoteError(scenes_[i], options_, progress, one.text, rendered_[i]);
+      noted(rendered_[i],
+            [&] { cli::render(scenes_[i], options_, progress, one.text, rendered_[i]); });
       reportRender(rendered_[i], options_, one.text);
       reportRenderNotes(rendered_[i], one.notes);
       one.status = outcomeOf(rendered_[i]);
@@ -241,28 +228,16 @@ int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOp
   return ParallelRenders(scenes, shared, out, rendered).run(atATime);
 }
 
-std::vector<RenderedScene> notYetRendered(const std::vector<SceneToRender>& scenes) {
-  std::vector<RenderedScene> rendered;
-  for (const SceneToRender& one : scenes) rendered.push_back({one.scene});
-  return rendered;
-}
-
 }  // namespace
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                 int atATime) {
-  auto rendered = notYetRendered(scenes);
-  return renderAll(scenes, options, atATime, std::cout, rendered);
-}
-
-int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
-                       const pipeline::RenderOptions& options, int atATime) {
-  auto rendered = notYetRendered(scenes);
-  std::ostream nowhere(nullptr);
-  const int status =
-      guarded([&] { return renderAll(scenes, options, atATime, nowhere, rendered); });
-  reportRendersAsJson(rendered, options, status >= kInterrupted, std::cout);
-  return status;
+                 int atATime, bool json) {
+  std::vector<RenderedScene> rendered;
+  for (const SceneToRender& one : scenes) rendered.push_back({one.scene});
+  return reportBatch(
+      json, "scenes", rendered,
+      [&](std::ostream& out) { return renderAll(scenes, options, atATime, out, rendered); },
+      [&](const RenderedScene& one) { return renderJson(one, options); });
 }
 
 }  // namespace rotatebook::cli

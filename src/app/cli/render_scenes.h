@@ -17,15 +17,12 @@ struct SceneToRender {
 };
 
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in
-/// their order. `options.stop` must not be null. Returns the worst status. After an interrupt it
-/// starts no more scenes and returns the interrupt's status. After a scene's error it starts none
-/// either, completes those that are running, and throws the first error or, of scenes rendered at
-/// the same time, reports the errors and returns the highest of their statuses.
+/// their order, or all as one JSON object: reportBatch(). `options.stop` must not be null. Returns
+/// the worst status. After an interrupt it starts no more scenes and returns the interrupt's
+/// status. After a scene's error it starts none either, completes those that are running, and
+/// throws the first error or, of scenes rendered at the same time, reports the errors and returns
+/// the highest of their statuses.
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                 int atATime);
-
-/// Renders likewise, but prints one JSON object at the end, also after an error, which it reports.
-int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
-                       const pipeline::RenderOptions& options, int atATime);
+                 int atATime, bool json = false);
 
 }  // namespace rotatebook::cli

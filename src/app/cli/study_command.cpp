@@ -1,17 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <filesystem>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <regex>
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/document/toml_text.h"
 #include "base/error.h"
 #include "base/text.h"
+#include "cli/batch.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
@@ -24,8 +25,6 @@
 #include "plot/study_plots.h"
 #include "scene/source_locations.h"
 #include "store/fingerprint.h"
-#include "store/result_owners.h"
-#include "store/study_files.h"
 #include "study/study.h"
 #include "study/study_csv.h"
 #include "system/atomic_file.h"
@@ -41,12 +40,6 @@ struct StudyArguments {
   std::optional<std::string> steps;
   std::optional<std::string> integrators;
   bool json = false;
-};
-
-/// A scene, which has a study, and the files of the results.
-struct Task {
-  scene::Scene scene;
-  store::StudyFiles files;
 };
 
 std::vector<std::string> itemsOf(const std::string& list) {
@@ -104,67 +97,61 @@ scene::Scene readStudied(const std::string& path, const StudyArguments& argument
   return arguments.sceneOptions.read(path, shorthands);
 }
 
-/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
-std::vector<Task> readTasks(const StudyArguments& arguments) {
-  std::vector<scene::Scene> scenes;
-  std::vector<Input> inputs;
-  for (const std::string& path : arguments.scenes) {
-    scenes.push_back(readStudied(path, arguments));
-    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
-  }
+std::vector<StudiedScene> readTasks(const StudyArguments& arguments) {
+  const auto [scenes, inputs] = readAllScenes(
+      arguments.scenes, [&](const std::string& path) { return readStudied(path, arguments); });
   refuseSameNames(scenes);
-  std::vector<Task> tasks;
+  std::vector<StudiedScene> tasks;
   for (const scene::Scene& scene : scenes) {
-    tasks.push_back({scene, store::studyFiles(arguments.folder, scene.name)});
+    tasks.push_back(
+        {scene, store::studyFiles(arguments.folder, scene.name), store::studySceneChecksum(scene)});
     plot::requireStudyLetters(scene);
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
-    const std::string remedy =
-        "the study of " + scene.name + " would replace it; name another folder with -o";
-    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name}, allOf(tasks.back().files),
-                                 remedy);
-    store::refuseNoResultsOfStudy(tasks.back().files, remedy);
+    refuseLostResults(store::ResultKind::Study, scene, arguments.folder);
   }
   return tasks;
 }
 
 /// Throws InputError if there is nothing to plot. Runs that end early are results of some measures.
-void refuseNoResult(const Task& task, const study::Study& result) {
-  const bool any = std::ranges::any_of(result.rows, [](const study::StudyRow& row) {
+void refuseNoResult(const StudiedScene& task) {
+  const std::vector<study::StudyRow>& rows = task.result->rows;
+  const bool any = std::ranges::any_of(rows, [](const study::StudyRow& row) {
     return std::ranges::any_of(row.measured, [](double value) { return !std::isnan(value); });
   });
   if (any) return;
-  throw InputError(task.scene.name + ": no run reached its end (" + task.files.csv.string() +
-                   " says why), so that there is nothing to compare; the first: " +
-                   result.rows.front().end.text() +
-                   "; take shorter steps, for example --steps 256,512,1024,2048");
+  throw InputError(fmt::format(
+      "{}: no run reached its end ({} says why), so that there is nothing to compare; the first: "
+      "{}; take shorter steps, for example --steps 256,512,1024,2048",
+      task.scene.name, task.files.csv.string(), rows.front().end.text()));
 }
 
-/// Returns `studied` with the names of its files alone, so that a folder can be moved, and that the
+/// Returns `task` with the names of its files alone, so that a folder can be moved, and that the
 /// same study leaves the same bytes in any.
-StudiedScene besideItsFiles(StudiedScene studied) {
-  for (std::string& file : studied.files) {
-    file = std::filesystem::path(file).filename().string();
-  }
-  return studied;
+StudiedScene besideItsFiles(StudiedScene task) {
+  for (std::string& file : task.written) file = std::filesystem::path(file).filename().string();
+  return task;
 }
 
-/// Writes and reports the results, which `studied` then holds.
-int finish(const Task& task, const study::Study& result, StudiedScene& studied, std::ostream& out) {
+/// Writes and reports the result.
+int finish(StudiedScene& task, std::ostream& out) {
+  const study::Study& result = *task.result;
+  const auto note = [&](const std::filesystem::path& file) {
+    task.written.push_back(file.string());
+  };
   store::removeFiles(allOf(task.files));
   system::writeFileAtomically(task.files.csv, studyCsv(result, *task.scene.study));
-  studied.files.push_back(task.files.csv.string());
-  studied.result = result;
-  refuseNoResult(task, result);
+  note(task.files.csv);
+  refuseNoResult(task);
   const int status = statusOf(reportStudy(result, *task.scene.study, out));
   for (const plot::PlotFile& plotted : plot::studyPlot(result, task.scene, task.files.plots)) {
     system::writeMarked(plotted.path, plotted.bytes);
-    studied.files.push_back(plotted.path.string());
+    note(plotted.path);
   }
-  studied.files.push_back(task.files.json.string());
-  system::writeFileAtomically(task.files.json, studyJson(besideItsFiles(studied)) + '\n');
-  out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
+  note(task.files.json);
+  system::writeFileAtomically(task.files.json, studyJson(besideItsFiles(task)) + '\n');
+  out << "  wrote " << oneLine(listed(task.written)) << std::endl;
   return status;
 }
 
@@ -176,60 +163,28 @@ std::optional<study::Study> run(const scene::Scene& scene, const std::atomic<boo
   return runStudy(scene, onThisMachine(options));
 }
 
-/// Returns the result of `work` for a scene; `studied` has the message of an error that is thrown.
-template <typename Work>
-auto noted(StudiedScene& studied, const Work& work) {
-  try {
-    return work();
-  } catch (const std::exception& error) {
-    studied.error = error.what();
-    throw;
-  }
-}
-
-int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
-            std::ostream& out) {
+int runTask(StudiedScene& task, const std::atomic<bool>& stop, std::ostream& out) {
   out << task.scene.name << ": " << task.scene.title << std::endl;
-  if (const auto result = run(task.scene, stop)) return finish(task, *result, studied, out);
+  task.result = run(task.scene, stop);
+  if (task.result) return finish(task, out);
   out << "  interrupted; nothing was written" << std::endl;
-  studied.interrupted = true;
+  task.interrupted = true;
   return interruptStatus();
 }
 
-int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
-             std::vector<StudiedScene>& studied, std::ostream& out) {
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    noted(studied[i], [&] {
-      system::createFolders(tasks[i].files.csv.parent_path());
-      store::requireWritable(allOf(tasks[i].files));
-    });
-  }
-  int status = kDone;
-  for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const int outcome = noted(studied[i], [&] { return runTask(tasks[i], stop, studied[i], out); });
-    if (outcome >= kInterrupted) return outcome;
-    status = std::max(status, outcome);
-  }
-  return status;
-}
-
-/// Prints one JSON object at the end, also after an error, which it reports.
-int runTasksAsJson(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
-                   std::vector<StudiedScene>& studied) {
-  std::ostream nowhere(nullptr);
-  const int status = guarded([&] { return runTasks(tasks, stop, studied, nowhere); });
-  reportStudiesAsJson(studied, status >= kInterrupted, std::cout);
-  return status;
-}
-
 int study(const StudyArguments& arguments) {
-  const std::vector<Task> tasks = readTasks(arguments);
+  std::vector<StudiedScene> tasks = readTasks(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
-  std::vector<StudiedScene> studied;
-  for (const Task& task : tasks)
-    studied.push_back({task.scene, store::studySceneChecksum(task.scene)});
-  return reportIfUnmet(arguments.json ? runTasksAsJson(tasks, stop, studied)
-                                      : runTasks(tasks, stop, studied, std::cout));
+  const auto runAll = [&](std::ostream& out) {
+    for (StudiedScene& task : tasks) {
+      noted(task, [&] {
+        system::createFolders(task.files.csv.parent_path());
+        store::requireWritable(allOf(task.files));
+      });
+    }
+    return inTurn(tasks, [&](std::size_t i) { return runTask(tasks[i], stop, out); });
+  };
+  return reportIfUnmet(reportBatch(arguments.json, "studies", tasks, runAll, studyJson));
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ std::string studyJson(const StudiedScene& studied) {
       .addString("curves", study.curves ? study.curves->key : "")
       .addBool("interrupted", studied.interrupted)
       .addStringOrNull("error", studied.error)
-      .add("files", jsonArrayOf(studied.files, jsonString))
+      .add("files", jsonArrayOf(studied.written, jsonString))
       .add("runs", jsonArrayOf(result.rows, [&](const auto& row) { return runJson(row, study); }))
       .add("orders", jsonArrayOf(result.orders, orderJson))
       .add("expectations", jsonArrayOf(expectedOf(result, study), expectedJson))
@@ -138,15 +138,6 @@ bool reportStudy(const study::Study& result, const StudySettings& study, std::os
     met &= one.isMet();
   }
   return met;
-}
-
-void reportStudiesAsJson(const std::vector<StudiedScene>& studies, bool interrupted,
-                         std::ostream& out) {
-  out << JsonObject()
-             .addBool("interrupted", interrupted)
-             .add("studies", jsonArrayOf(studies, studyJson))
-             .text()
-      << '\n';
 }
 
 }  // namespace rotatebook::cli

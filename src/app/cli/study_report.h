@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "store/study_files.h"
 #include "study/study.h"
 
 namespace rotatebook::cli {
@@ -18,17 +19,15 @@ bool reportStudy(const study::Study& result, const scene::StudySettings& study, 
 /// A scene, which has a study, and as much of its outcome as there is.
 struct StudiedScene {
   scene::Scene scene;
+  store::StudyFiles files{};
   std::string checksum{};  ///< store::studySceneChecksum()
   std::optional<study::Study> result{};
-  std::vector<std::string> files{};  ///< Tables, plots and JSON that were written.
+  std::vector<std::string> written{};  ///< Of `files`.
   bool interrupted = false;
   std::string error{};  ///< Empty if there was none.
 };
 
 /// Returns the result as one JSON object.
 std::string studyJson(const StudiedScene& studied);
-/// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
-void reportStudiesAsJson(const std::vector<StudiedScene>& studies, bool interrupted,
-                         std::ostream& out);
 
 }  // namespace rotatebook::cli

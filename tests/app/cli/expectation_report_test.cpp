@@ -1,11 +1,11 @@
-#include "cli/motion_report.h"
-
 #include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "cli/motion_report.h"
 
 namespace rotatebook::cli {
 namespace {

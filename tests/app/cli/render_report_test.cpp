@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/batch.h"
+
 namespace rotatebook::cli {
 namespace {
 
@@ -34,9 +36,8 @@ pipeline::RenderOptions pngAndMp4() {
 }
 
 std::string jsonOf(const std::vector<RenderedScene>& scenes, bool interrupted = false) {
-  std::ostringstream out;
-  reportRendersAsJson(scenes, pngAndMp4(), interrupted, out);
-  return out.str();
+  const auto asJson = [](const RenderedScene& one) { return renderJson(one, pngAndMp4()); };
+  return batchJson("scenes", scenes, asJson, interrupted);
 }
 
 std::string textOf(const RenderedScene& rendered) {

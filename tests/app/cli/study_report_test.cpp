@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/batch.h"
+
 namespace rotatebook::cli {
 namespace {
 
@@ -103,15 +105,13 @@ TEST(StudyReport, HasTheErrorOfARunWhereMoreThanTheOrderIsMeasured) {
 }
 
 TEST(StudyReport, IsJsonToo) {
-  std::ostringstream out;
   StudiedScene studied = runs(), failed = orders();
-  studied.files = {"out/s-study.csv"};
+  studied.written = {"out/s-study.csv"};
   failed.result.reset();
   failed.error = "no disk";
-  reportStudiesAsJson({studied, failed}, true, out);
   const std::string meaning(scene::rowOf(Measure::DivergesAt).meaning);
   EXPECT_EQ(
-      out.str(),
+      batchJson("studies", std::vector{studied, failed}, studyJson, true),
       R"({"interrupted": true, "studies": [{"result": "study", "name": "s", "title": "\"S\"", )"
       R"("scene_xxh128": "5ce", )"
       R"("x": "simulation.substeps", "curves": "simulation.integrator", "interrupted": false, )"

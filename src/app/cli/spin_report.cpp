@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -47,40 +49,40 @@ std::size_t circledAxis(const Spin& spin) {
 
 std::string spinText(const Spin& spin) {
   const double speed = spin.angularVelocity.norm();
-  std::string line = text(speed) + " rad/s (" + text(speed / (2 * pi)) + " turns a second)";
+  std::string line =
+      fmt::format("{} rad/s ({} turns a second)", text(speed), text(speed / (2 * pi)));
   if (spin.equal == EqualMoments::All) return line;
-  return line + ", " + degrees(spin.offAxis) + " degrees from " + axisText(spin, spin.spunAxis) +
-         (spin.equal == EqualMoments::None ? ", " + std::string(kAxes[spin.spunAxis]) : "");
+  line += fmt::format(", {} degrees from {}", degrees(spin.offAxis), axisText(spin, spin.spunAxis));
+  return spin.equal == EqualMoments::None ? fmt::format("{}, {}", line, kAxes[spin.spunAxis])
+                                          : line;
 }
 
 std::string stabilityText(const Spin& spin) {
   if (spin.growth) {
-    return "unstable: small deviations grow as e^(" + text(*spin.growth) + " t), tenfold in " +
-           text(std::numbers::ln10 / *spin.growth) + " s";
+    return fmt::format("unstable: small deviations grow as e^({} t), tenfold in {} s",
+                       text(*spin.growth), text(std::numbers::ln10 / *spin.growth));
   }
-  return "stable: small deviations circle the axis at " + text(*spin.oscillation) +
-         " rad/s, once in " + text(2 * pi / *spin.oscillation) + " s";
-}
-
-std::string turnText(const SpinPeriod& period) {
-  return degrees(period.turn) + " degrees about L in a period, " + text(period.turn / period.time) +
-         " rad/s";
+  return fmt::format("stable: small deviations circle the axis at {} rad/s, once in {} s",
+                     text(*spin.oscillation), text(2 * pi / *spin.oscillation));
 }
 
 std::string phasesText(const SpinPeriod& period) {
-  return degrees(period.dynamicTurn) + " of these by the energy, 2 E T / |L|, " +
-         (period.geometricTurn < 0 ? "less " : "and ") + degrees(std::fabs(period.geometricTurn)) +
-         " by geometry, the solid angle that L encloses in the body";
+  return fmt::format(
+      "{} of these by the energy, 2 E T / |L|, {} {} by geometry, the solid angle that L encloses "
+      "in "
+      "the body",
+      degrees(period.dynamicTurn), period.geometricTurn < 0 ? "less" : "and",
+      degrees(std::fabs(period.geometricTurn)));
 }
 
 std::string eulerText(const SpinNumbers& numbers) {
   const timeline::EulerSteps& euler = *numbers.euler;
-  const std::string need =
-      euler.substeps
-          ? std::to_string(*euler.substeps) + (*euler.substeps == 1 ? " substep" : " substeps")
-          : "more than " + std::to_string(euler.tried) + " substeps";
-  return "needs " + need + ", " + (euler.substeps ? "" : "shorter than ") + text(euler.step) +
-         " s each, to keep the regime for " + text(numbers.duration) + " s";
+  const std::string keeps = fmt::format("{} s each, to keep the regime for {} s", text(euler.step),
+                                        text(numbers.duration));
+  if (!euler.substeps)
+    return fmt::format("needs more than {} substeps, shorter than {}", euler.tried, keeps);
+  return fmt::format("needs {} substep{}, {}", *euler.substeps, *euler.substeps == 1 ? "" : "s",
+                     keeps);
 }
 
 /// A line of the report.
@@ -95,24 +97,25 @@ std::vector<Line> linesOn(const SpinNumbers& numbers) {
   if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(spin)});
   if (spin.period) {
     const std::string circled = axisText(spin, circledAxis(spin));
-    lines.push_back({"regime", "the angular momentum L circles " + circled + ", " +
-                                   std::string(kAxes[circledAxis(spin)])});
+    const SpinPeriod& period = *spin.period;
+    lines.push_back({"regime", fmt::format("the angular momentum L circles {}, {}", circled,
+                                           kAxes[circledAxis(spin)])});
     if (const auto flips = spin.flipInterval()) {
-      lines.push_back(
-          {"flips", (spin.firstFlip ? "first at " + text(*spin.firstFlip) + " s, then " : "") +
-                        "every " + text(*flips) + " s"});
+      const std::string every = fmt::format("every {} s", text(*flips));
+      lines.push_back({"flips", spin.firstFlip ? fmt::format("first at {} s, then {}",
+                                                             text(*spin.firstFlip), every)
+                                               : every});
     }
-    lines.push_back(
-        {"period", text(spin.period->time) + " s, of the angular velocity in the body"});
-    lines.push_back({"turn", turnText(*spin.period)});
-    lines.push_back({"phases", phasesText(*spin.period)});
-    lines.push_back({"precession", circled + " goes about L at " +
-                                       text(spin.period->axisTurn / spin.period->time) + " rad/s"});
+    lines.push_back({"period", text(period.time) + " s, of the angular velocity in the body"});
+    lines.push_back({"turn", fmt::format("{} degrees about L in a period, {} rad/s",
+                                         degrees(period.turn), text(period.turn / period.time))});
+    lines.push_back({"phases", phasesText(period)});
+    lines.push_back({"precession", fmt::format("{} goes about L at {} rad/s", circled,
+                                               text(period.axisTurn / period.time))});
   }
   if (spin.margin) {
-    lines.push_back({"separatrix", degrees(*spin.toSeparatrix) +
-                                       " degrees away; L^2 / (2 E I2) - 1 is " +
-                                       text(*spin.margin)});
+    lines.push_back({"separatrix", fmt::format("{} degrees away; L^2 / (2 E I2) - 1 is {}",
+                                               degrees(*spin.toSeparatrix), text(*spin.margin))});
   }
   if (numbers.euler) lines.push_back({"Euler", eulerText(numbers)});
   return lines;
@@ -161,8 +164,8 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
     remarks.emplace_back("all moments are equal: it turns steadily about any axis");
   } else if (spin.isSteady) {
     const bool couldTumble = spin.growth && numbers.motion.nudges.empty();
-    remarks.emplace_back("the spin is exactly about a principal axis: it turns steadily" +
-                         std::string(couldTumble ? ", as nothing starts the tumbling" : ""));
+    remarks.push_back(fmt::format("the spin is exactly about a principal axis: it turns steadily{}",
+                                  couldTumble ? ", as nothing starts the tumbling" : ""));
   } else if (!spin.period) {
     remarks.emplace_back(
         "the spin is exactly on the separatrix: it turns over once at most, and has no period");
@@ -172,25 +175,23 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
         "two moments are equal: no axis is unstable, nothing flips, and there is no separatrix");
   }
   if (!numbers.motion.nudges.empty()) {
-    remarks.push_back("the numbers are those before the first nudge, at " +
-                      text(numbers.motion.nudges.front().at) + " s");
+    remarks.push_back(fmt::format("the numbers are those before the first nudge, at {} s",
+                                  text(numbers.motion.nudges.front().at)));
   }
   if (numbers.motion.simulation.model == physics::Model::Particles) {
     const bool areCorners =
         numbers.motion.simulation.particles.arrangement == physics::Arrangement::Corners;
-    remarks.push_back("the numbers are those of a rigid body with the " +
-                      std::string(areCorners
-                                      ? "eight particles' moments, three times the solid book's"
-                                      : "particles' moments") +
-                      "; springs and damping change the motion");
+    remarks.push_back(fmt::format(
+        "the numbers are those of a rigid body with the {}; springs and damping change the motion",
+        areCorners ? "eight particles' moments, three times the solid book's"
+                   : "particles' moments"));
   }
   return remarks;
 }
 
 void reportSpin(const SpinNumbers& numbers, std::ostream& out) {
-  constexpr std::size_t kLabelWidth = 12;
   for (const auto& [name, content] : linesOn(numbers))
-    out << "  " << name << std::string(kLabelWidth - name.size(), ' ') << content << '\n';
+    out << fmt::format("  {:<12}{}\n", name, content);
   for (const std::string& remark : remarksOn(numbers)) out << "  " << remark << '\n';
 }
 

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -17,11 +19,6 @@ using timeline::Verdict;
 
 std::string shortNumber(double value) {
   return roundedText(value, 4);
-}
-
-/// Returns "+47.5 %".
-std::string percentText(double drift) {
-  return (drift > 0 ? "+" : "") + roundedText(100 * drift, 3) + " %";
 }
 
 std::string_view regimeText(rigid::Regime regime) {
@@ -42,13 +39,17 @@ std::string percentOf(double part) {
 
 /// Returns "energy +47.5 % at most, +3 % at the end".
 std::string driftText(const char* name, double largest, double end) {
-  return std::string(name) + " " + percentText(largest) + " at most, " + percentText(end) +
-         " at the end";
+  const auto signedText = [](double drift) {
+    return (drift > 0 ? "+" : "") + roundedText(100 * drift, 3);
+  };
+  return fmt::format("{} {} % at most, {} % at the end", name, signedText(largest),
+                     signedText(end));
 }
 
 BoundResult bounded(const char* name, double measured, double bound) {
   const bool met = std::fabs(measured) <= bound;
-  return {name, "at most " + shortestText(bound) + "; measured " + shortNumber(measured), met};
+  return {name, fmt::format("at most {}; measured {}", shortestText(bound), shortNumber(measured)),
+          met};
 }
 
 /// Returns `text` for XML: its marks as entities, control characters as blanks.
@@ -76,16 +77,17 @@ std::string escapedXml(std::string_view text) {
 }
 
 std::string caseText(const std::string& motion, const BoundResult& one) {
-  const std::string head = "    <testcase classname=\"" + escapedXml(motion) + "\" name=\"" +
-                           escapedXml(one.name) + "\"";
+  const std::string head = fmt::format(R"(    <testcase classname="{}" name="{}")",
+                                       escapedXml(motion), escapedXml(one.name));
   if (one.met) return head + "/>\n";
-  return head + ">\n      <failure message=\"" + escapedXml(one.text) + "\"/>\n    </testcase>\n";
+  return fmt::format("{}>\n      <failure message=\"{}\"/>\n    </testcase>\n", head,
+                     escapedXml(one.text));
 }
 
 std::string regimesText(const Verdict& verdict) {
-  const std::string start(regimeText(verdict.start)), end(regimeText(verdict.end));
-  return "the angular momentum circles " +
-         (start == end ? start : start + " at first, " + end + " at the end");
+  const std::string_view start = regimeText(verdict.start), end = regimeText(verdict.end);
+  if (start == end) return fmt::format("the angular momentum circles {}", start);
+  return fmt::format("the angular momentum circles {} at first, {} at the end", start, end);
 }
 
 /// Returns "given", "slopes" or "gyroscope".
@@ -153,7 +155,7 @@ std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds)
       .addInteger("regime", static_cast<int>(verdict.start))
       .addInteger("end_regime", static_cast<int>(verdict.end))
       .addString("method", timeline::methodThat(verdict))
-      .addString("spins", std::string(sourceText(verdict.spins.source)))
+      .addString("spins", sourceText(verdict.spins.source))
       .addNumber("spin_uncertainty", verdict.spins.uncertainty)
       .addNumber("rates_difference", verdict.spins.difference)
       .addNumber("rates_factor", verdict.spins.fit.factor)
@@ -180,19 +182,15 @@ JudgedMotion judgedMotion(const std::string& name, const physics::MotionSettings
 
 std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& bounds) {
   std::vector<BoundResult> results;
-  if (bounds.errorDeg) {
-    results.push_back(bounded("error_deg", verdict.errorDeg, *bounds.errorDeg));
-  }
-  if (bounds.energyDrift) {
-    results.push_back(bounded("energy_drift", verdict.energyDrift, *bounds.energyDrift));
-  }
-  if (bounds.momentumDrift) {
-    results.push_back(bounded("L_drift", verdict.momentumDrift, *bounds.momentumDrift));
-  }
+  const auto add = [&](const char* name, double measured, const std::optional<double>& bound) {
+    if (bound) results.push_back(bounded(name, measured, *bound));
+  };
+  add("error_deg", verdict.errorDeg, bounds.errorDeg);
+  add("energy_drift", verdict.energyDrift, bounds.energyDrift);
+  add("L_drift", verdict.momentumDrift, bounds.momentumDrift);
   if (bounds.halfTurns) {
     results.push_back({"half_turns",
-                       std::to_string(verdict.halfTurnsDue) + " due; measured " +
-                           std::to_string(verdict.halfTurns),
+                       fmt::format("{} due; measured {}", verdict.halfTurnsDue, verdict.halfTurns),
                        verdict.halfTurns == verdict.halfTurnsDue});
   }
   return results;
@@ -200,9 +198,8 @@ std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& 
 
 bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
   return std::ranges::all_of(motions, [&](const JudgedMotion& motion) {
-    const std::vector<BoundResult> results = resultsOf(motion.verdict, bounds);
-    if (!motion.mistake.empty()) return false;
-    return std::ranges::all_of(results, [](const BoundResult& one) { return one.met; });
+    return motion.mistake.empty() &&
+           std::ranges::all_of(resultsOf(motion.verdict, bounds), &BoundResult::met);
   });
 }
 
@@ -210,25 +207,24 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
                     std::ostream& out) {
   for (const auto& [name, verdict, mistake, notes] : motions) {
     if (!mistake.empty()) {
-      out << oneLine(name) << ": not judged: " << mistake << '\n';
+      out << fmt::format("{}: not judged: {}\n", oneLine(name), mistake);
       continue;
     }
-    const std::string visible = verdict.visibleFrom
-                                    ? ", more than " + shortNumber(timeline::kVisibleErrorDeg) +
-                                          " from " + shortNumber(*verdict.visibleFrom) + " s on"
-                                    : "";
-    out << oneLine(name) << ": " << timeline::methodThat(verdict) << "\n  error "
-        << shortNumber(verdict.endErrorDeg) << " degrees after " << shortNumber(verdict.duration)
-        << " s, at most " << shortNumber(verdict.errorDeg) << visible << "\n  "
-        << driftText("energy", verdict.energyDrift, verdict.endEnergyDrift) << "; "
-        << driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift)
-        << "; L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n"
-        << spinsLine(verdict) << "  " << verdict.halfTurns << " of " << verdict.halfTurnsDue
-        << " flips; " << regimesText(verdict) << '\n';
-    for (const BoundResult& one : resultsOf(verdict, bounds)) {
-      out << (one.met ? "  met      " : "  not met  ") << one.name << ": expected " << one.text
-          << '\n';
+    out << fmt::format("{}: {}\n  error {} degrees after {} s, at most {}", oneLine(name),
+                       timeline::methodThat(verdict), shortNumber(verdict.endErrorDeg),
+                       shortNumber(verdict.duration), shortNumber(verdict.errorDeg));
+    if (verdict.visibleFrom) {
+      out << fmt::format(", more than {} from {} s on", shortNumber(timeline::kVisibleErrorDeg),
+                         shortNumber(*verdict.visibleFrom));
     }
+    out << fmt::format("\n  {}; {}; L turned by up to {} degrees\n{}  {} of {} flips; {}\n",
+                       driftText("energy", verdict.energyDrift, verdict.endEnergyDrift),
+                       driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift),
+                       shortNumber(verdict.momentumTurnDeg), spinsLine(verdict), verdict.halfTurns,
+                       verdict.halfTurnsDue, regimesText(verdict));
+    for (const BoundResult& one : resultsOf(verdict, bounds))
+      out << fmt::format("  {}{}: expected {}\n", one.met ? "met      " : "not met  ", one.name,
+                         one.text);
   }
 }
 
@@ -248,14 +244,13 @@ std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBound
     std::vector<BoundResult> results = resultsOf(verdict, bounds);
     if (!mistake.empty()) results = {{"recording", mistake, false}};
     if (results.empty()) results.push_back({"judged", "", true});
-    const auto failures =
-        std::ranges::count_if(results, [](const BoundResult& one) { return !one.met; });
-    text += "  <testsuite name=\"" + escapedXml(name) + "\" tests=\"" +
-            std::to_string(results.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";
+    text +=
+        fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n", escapedXml(name),
+                    results.size(), std::ranges::count(results, false, &BoundResult::met));
     for (const BoundResult& one : results) text += caseText(name, one);
-    text += "    <system-out>" +
-            escapedXml(mistake.empty() ? timeline::methodThat(verdict) : "isn't judged") +
-            "</system-out>\n  </testsuite>\n";
+    text +=
+        fmt::format("    <system-out>{}</system-out>\n  </testsuite>\n",
+                    escapedXml(mistake.empty() ? timeline::methodThat(verdict) : "isn't judged"));
   }
   return text + "</testsuites>\n";
 }

@@ -2,6 +2,8 @@
 
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/number_text.h"
 #include "overlay/text.h"
@@ -43,7 +45,7 @@ FolderCheck checkFolder(const fs::path& folder) {
   check.freeBytes = fs::space(part, error).available;
   if (error) {
     check.freeBytes = 0;
-    check.failure = part.string() + ": " + error.message();
+    check.failure = fmt::format("{}: {}", part.string(), error.message());
   } else if (!fs::is_directory(part, error)) {
     check.failure = part.string() + " is not a folder";
   } else {
@@ -65,9 +67,10 @@ void addEncoderProblems(Checkup& checkup) {
   for (const video::EncoderCheck& check : checkup.encoders) {
     if (check.failure.empty()) continue;
     const std::string instead =
-        check.found.empty() ? "" : "; " + check.found + " encodes in its place";
-    checkup.problems.push_back({std::string(nameOf(check.format)) + ": " + check.failure + instead,
-                                rowOf(check.format).encoder.remedy});
+        check.found.empty() ? "" : fmt::format("; {} encodes in its place", check.found);
+    checkup.problems.push_back(
+        {fmt::format("{}: {}{}", nameOf(check.format), check.failure, instead),
+         rowOf(check.format).encoder.remedy});
   }
 }
 
@@ -82,8 +85,8 @@ void addOtherProblems(Checkup& checkup) {
   } else if (folder.freeBytes < kLowSpace) {
     const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
     checkup.problems.push_back(
-        {folder.path.string() + " has " + roundedText(megabytes, 3) +
-             " MB left, and a clip's PNGs may take more",
+        {fmt::format("{} has {} MB left, and a clip's PNGs may take more", folder.path.string(),
+                     roundedText(megabytes, 3)),
          "free some space, render with --no-png, or name another folder, -o DIR"});
   }
 }

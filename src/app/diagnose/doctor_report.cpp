@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -60,16 +62,15 @@ std::string kindOf(const DisplayCheck& check) {
 std::string referenceText(const ReferenceCheck& check) {
   if (!check.failure.empty()) return "reference picture failed";
   const image::Comparison& found = check.comparison;
-  return std::string("reference picture ") + (found.same ? "right" : "WRONG") +
-         ": off by at most " + std::to_string(found.largest) + " of 255, " +
-         roundedText(found.differingPercent, 2) + " % by more than " +
-         std::to_string(check.tolerance.largest) + " (" +
-         roundedText(check.tolerance.failPercent, 3) + " % allowed)";
+  return fmt::format(
+      "reference picture {}: off by at most {} of 255, {} % by more than {} ({} % allowed)",
+      found.same ? "right" : "WRONG", found.largest, roundedText(found.differingPercent, 2),
+      check.tolerance.largest, roundedText(check.tolerance.failPercent, 3));
 }
 
 void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) {
   const render::DisplayCandidate& candidate = check.candidate;
-  const std::string cuda = candidate.cudaId ? "cuda:" + std::to_string(*candidate.cudaId) : "";
+  const std::string cuda = candidate.cudaId ? fmt::format("cuda:{}", *candidate.cudaId) : "";
   const std::string nodes = joined({candidate.drmNode, candidate.renderNode, cuda});
   if (check.failure) {
     row(candidate.name(), check.failure->text(), out);
@@ -79,8 +80,7 @@ void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) 
   row(candidate.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
   row("",
       joined({kindOf(check), check.vendor, "OpenGL " + check.version,
-              std::to_string(check.samples) + (check.samples == 1 ? " sample" : " samples"),
-              nodes}),
+              fmt::format("{} sample{}", check.samples, check.samples == 1 ? "" : "s"), nodes}),
       out);
   row("", referenceText(check.reference), out);
 }
@@ -115,7 +115,7 @@ void printProblems(const std::vector<Problem>& problems, std::ostream& out) {
   if (problems.empty()) return;
   out << "\nproblems\n";
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    printWrapped(problems[i].what, "  " + std::to_string(i + 1) + ". ", out);
+    printWrapped(problems[i].what, fmt::format("  {}. ", i + 1), out);
     printWrapped(problems[i].remedy, "     remedy: ", out);
   }
 }
@@ -133,12 +133,11 @@ std::string verdict(const Checkup& checkup) {
   if (!checkup.ready()) return "NOT READY to render: " + lackText(checkup) + ".";
   const DisplayCheck& candidate = checkup.graphics.candidates[*checkup.graphics.byDefault];
   const std::size_t count = checkup.problems.size();
-  return "Ready to render: " + candidate.candidate.name() + " draws (" + kindOf(candidate) + "), " +
-         checkup.encoders.front().found + " encodes" +
-         (count == 0
-              ? "."
-              : "; " + std::to_string(count) +
-                    (count == 1 ? " problem is reported above." : " problems are reported above."));
+  return fmt::format("Ready to render: {} draws ({}), {} encodes{}.", candidate.candidate.name(),
+                     kindOf(candidate), checkup.encoders.front().found,
+                     count == 0 ? ""
+                                : fmt::format("; {} {} reported above", count,
+                                              count == 1 ? "problem is" : "problems are"));
 }
 
 std::string json(const ReferenceCheck& check) {

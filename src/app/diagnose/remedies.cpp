@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 
 namespace rotatebook::diagnose {
@@ -46,13 +48,15 @@ std::string permissionRemedy(const DeviceNode& node) {
   if (node.group.empty() || node.group == "root") {
     return "let this user read and write " + node.path;
   }
-  return "join the group " + node.group + " (sudo usermod -aG " + node.group +
-         " $USER, then log in again; for a container: --group-add " + node.group + ")";
+  return fmt::format(
+      "join the group {0} (sudo usermod -aG {0} $USER, then log in again; for a container: "
+      "--group-add {0})",
+      node.group);
 }
 
 /// Returns the problem of a device node that this process may not open.
 Problem permissionProblem(const std::string& what, const DeviceNode& node) {
-  return {what + ": no permission on " + node.path, permissionRemedy(node)};
+  return {fmt::format("{}: no permission on {}", what, node.path), permissionRemedy(node)};
 }
 
 /// Returns a node that this process may not open: the one at `path` or, if that is empty, any that
@@ -83,7 +87,7 @@ std::string updateRemedy(bool software) {
 }
 
 std::string first(const std::string& attempt, const std::string& remedy) {
-  return attempt + "; if that doesn't help: " + remedy;
+  return fmt::format("{}; if that doesn't help: {}", attempt, remedy);
 }
 
 /// Returns "raise ulimit -d (it is 100000 kB); if that doesn't help: `remedy`"; `remedy` alone if
@@ -97,7 +101,7 @@ std::string raisingFirst(const std::vector<std::string>& limits, const std::stri
 std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
   const std::string names = joinedOf(variables, [](const std::string& variable) {
     const std::size_t end = variable.find('=');
-    return variable.substr(0, end) + " (it is " + variable.substr(end + 1) + ")";
+    return fmt::format("{} (it is {})", variable.substr(0, end), variable.substr(end + 1));
   });
   return names.empty() ? remedy : first("unset " + names, remedy);
 }
@@ -133,7 +137,7 @@ class Diagnosis {
 
   /// `check`: one with a failure.
   Problem failureProblem(const DisplayCheck& check) const {
-    const std::string what = check.candidate.text() + ": " + check.failure->text();
+    const std::string what = fmt::format("{}: {}", check.candidate.text(), check.failure->text());
     const DeviceNode* node =
         check.candidate.software ? nullptr : forbiddenNode(facts_, check.candidate);
     if (node != nullptr) return permissionProblem(what, *node);
@@ -158,7 +162,7 @@ class Diagnosis {
     if (!usable && !facts_.vendorVariable.empty()) {
       const std::string name = facts_.vendorVariable.substr(0, facts_.vendorVariable.find('='));
       return add(facts_.vendorVariable + " names no EGL driver that can be loaded",
-                 "unset " + name + ", so that the system's drivers are found");
+                 fmt::format("unset {}, so that the system's drivers are found", name));
     }
     if (facts_.vendorFiles.empty()) {
       // Without glvnd there are no such files, and EGL may draw all the same.
@@ -247,7 +251,7 @@ class Diagnosis {
     const std::string why = check.reference.failure.empty()
                                 ? "the reference picture isn't drawn as it should be"
                                 : "the reference picture failed: " + check.reference.failure;
-    add(check.candidate.text() + ", " + check.renderer + ": " + why,
+    add(fmt::format("{}, {}: {}", check.candidate.text(), check.renderer, why),
         unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }
 
@@ -263,7 +267,7 @@ class Diagnosis {
     std::string text;
     for (const DisplayCheck& candidate : check_.candidates) {
       if (candidate.failure)
-        text += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
+        text += fmt::format("; {}: {}", candidate.candidate.text(), candidate.failure->text());
     }
     return text;
   }

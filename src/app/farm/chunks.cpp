@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 
 namespace rotatebook::farm {
@@ -28,9 +30,10 @@ bool fits(const std::vector<std::int64_t>& parts, const Slots& slots) {
 
 void requireFewScenes(const std::vector<Effort>& efforts, const Slots& slots) {
   if (slots.maxTasks == 0 || std::ssize(efforts) <= slots.maxTasks) return;
-  throw InputError("the cluster takes at most " + std::to_string(slots.maxTasks) +
-                   " tasks at once, fewer than the " + std::to_string(efforts.size()) +
-                   " scenes; submit some of them at a time");
+  throw InputError(
+      fmt::format("the cluster takes at most {} tasks at once, fewer than the {} scenes; submit "
+                  "some of them at a time",
+                  slots.maxTasks, efforts.size()));
 }
 
 /// Returns the number of parts of tasks that take about `seconds`.
@@ -76,9 +79,9 @@ std::vector<std::int64_t> partsOfChunk(const std::vector<Effort>& efforts, std::
     const std::int64_t middle = tooSmall + (large - tooSmall) / 2;
     (fits(partsOfSize(efforts, middle), slots) ? large : tooSmall) = middle;
   }
-  throw InputError("--chunk " + std::to_string(chunk) + " makes " + std::to_string(sumOf(parts)) +
-                   " tasks; the cluster takes at most " + std::to_string(slots.maxTasks) +
-                   " at once: take --chunk " + std::to_string(large) + " or more");
+  throw InputError(fmt::format(
+      "--chunk {} makes {} tasks; the cluster takes at most {} at once: take --chunk {} or more",
+      chunk, sumOf(parts), slots.maxTasks, large));
 }
 
 }  // namespace rotatebook::farm

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/text.h"
 
@@ -16,16 +18,16 @@ using Kind = TaskState::Kind;
 constexpr int kMaxListed = 20;
 
 std::string tasksText(std::int64_t count) {
-  return std::to_string(count) + (count == 1 ? " task" : " tasks");
+  return fmt::format("{} task{}", count, count == 1 ? "" : "s");
 }
 
 /// Returns "45 s", "12 min" or "3 h 5 min".
 std::string timeText(double seconds) {
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
-  if (whole < 120) return std::to_string(whole) + " s";
+  if (whole < 120) return fmt::format("{} s", whole);
   const std::int64_t minutes = (whole + 59) / 60;
-  if (minutes < 120) return std::to_string(minutes) + " min";
-  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+  if (minutes < 120) return fmt::format("{} min", minutes);
+  return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
 void printTask(const TaskState& task, std::ostream& out) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 
@@ -19,11 +21,11 @@ std::string directive(const std::string& option) {
   const bool isPlain = std::ranges::none_of(option, [](char c) {
     return std::string_view(" '#\\;&|$`(){}*?<>!~").find(c) != std::string_view::npos;
   });
-  if (isPlain || equals == std::string::npos) return "#SBATCH " + option + '\n';
+  if (isPlain || equals == std::string::npos) return fmt::format("#SBATCH {}\n", option);
   std::string value = option.substr(equals + 1);
   for (std::size_t at = 0; (at = value.find('\\', at)) != std::string::npos; at += 2)
     value.insert(at, "\\");
-  return "#SBATCH " + option.substr(0, equals + 1) + '"' + value + "\"\n";
+  return fmt::format("#SBATCH {}\"{}\"\n", option.substr(0, equals + 1), value);
 }
 
 /// Returns the option that submit sets itself which sbatch would read in `option`; empty if none.
@@ -48,7 +50,7 @@ std::string ownOptionIn(const std::string& option) {
 /// Throws InputError for what isn't an option, and for one on which submit's jobs depend.
 void requirePassable(const std::string& option) {
   const auto fail = [&](const std::string& problem) {
-    throw InputError("--sbatch=" + oneLine(option, 200) + ": " + problem);
+    throw InputError(fmt::format("--sbatch={}: {}", oneLine(option, 200), problem));
   };
   if (!option.starts_with('-')) fail("not an option of sbatch; write it whole, such as --qos=low");
   if (option.substr(0, option.find('=')).find_first_of(" \t") != std::string::npos)
@@ -68,14 +70,15 @@ std::string escapedPattern(std::string path) {
 std::string directives(const Plan& plan, const PlanFiles& files,
                        const std::vector<std::int64_t>& tasks, const JobOptions& options) {
   const std::string log = escapedPattern(files.log.string()) + (tasks.empty() ? "/join" : "/%a");
-  std::string text = directive(std::string("--job-name=rotatebook-") + nameOf(plan.work) +
-                               (tasks.empty() ? "-join" : ""));
+  std::string text = directive(
+      fmt::format("--job-name=rotatebook-{}{}", nameOf(plan.work), tasks.empty() ? "-join" : ""));
   if (!tasks.empty()) text += directive("--array=" + rangesText(tasks));
-  text += directive("--ntasks=1") + directive("--cpus-per-task=" + std::to_string(plan.cores)) +
+  text += directive("--ntasks=1") + directive(fmt::format("--cpus-per-task={}", plan.cores)) +
           directive("--requeue") + directive("--open-mode=append") +
-          directive("--output=" + log + ".txt") + directive("--chdir=" + plan.folder.string());
+          directive(fmt::format("--output={}.txt", log)) +
+          directive("--chdir=" + plan.folder.string());
   const auto add = [&](const char* name, const std::string& value) {
-    if (!value.empty()) text += directive(std::string("--") + name + '=' + value);
+    if (!value.empty()) text += directive(fmt::format("--{}={}", name, value));
   };
   add("partition", options.partition);
   add("account", options.account);
@@ -116,8 +119,8 @@ std::string rangesText(const std::vector<std::int64_t>& numbers) {
   for (std::size_t i = 0; i < numbers.size();) {
     std::size_t end = i + 1;
     while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1) ++end;
-    const std::string first = std::to_string(numbers[i]);
-    ranges.push_back(end - i == 1 ? first : first + '-' + std::to_string(numbers[end - 1]));
+    ranges.push_back(end - i == 1 ? std::to_string(numbers[i])
+                                  : fmt::format("{}-{}", numbers[i], numbers[end - 1]));
     i = end;
   }
   return joined(ranges, ",");
@@ -130,13 +133,12 @@ std::string jobScript(const Plan& plan, const PlanFiles& files,
   std::string text = "#!/bin/bash\n" + directives(plan, files, tasks, options);
   text += isJoin ? "# Joins the results of all tasks, and makes what they have left out.\n"
                  : "# Runs line N of tasks.txt as the array's task N. It may run twice, at once.\n";
-  text += "farm=" + shellWord(files.folder.string()) + '\n';
+  text += fmt::format("farm={}\n", shellWord(files.folder.string()));
   text += isJoin ? "task=join\ncommand=$(cat \"$farm/join.txt\")\n"
                  : "task=$SLURM_ARRAY_TASK_ID\ncommand=$(sed -n \"${task}p\" "
                    "\"$farm/tasks.txt\")\n";
-  return text + kRun + std::to_string(kMaxRestarts) + " ]; then\n    " +
-         (requeues75 ? kRequeue75 : kRequeueByCommand) +
-         "\n  fi\n  status=3\nfi\nexit \"$status\"\n";
+  return fmt::format("{}{}{} ]; then\n    {}\n  fi\n  status=3\nfi\nexit \"$status\"\n", text, kRun,
+                     kMaxRestarts, requeues75 ? kRequeue75 : kRequeueByCommand);
 }
 
 }  // namespace rotatebook::farm

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
 
 namespace rotatebook::farm {
@@ -65,16 +67,14 @@ std::vector<Task> tasksOf(const Plan& plan) {
 std::string describe(const Plan& plan, const Task& task) {
   const std::string& name = plan.scenes[task.scene].name;
   if (task.part.count == 1) return name;
-  return "part " + std::to_string(task.part.number) + '/' + std::to_string(task.part.count) +
-         " of " + name;
+  return fmt::format("part {}/{} of {}", task.part.number, task.part.count, name);
 }
 
 std::vector<std::string> commandOf(const Plan& plan, const Task& task) {
   const PlannedScene& scene = plan.scenes[task.scene];
   std::vector<std::string> words{plan.program.string(), nameOf(plan.work), scene.file.string()};
   if (plan.work != Work::Study) {
-    append(words,
-           {"--part", std::to_string(task.part.number) + '/' + std::to_string(task.part.count)});
+    append(words, {"--part", fmt::format("{}/{}", task.part.number, task.part.count)});
     append(words, {"--resume"});
   }
   append(words, commonWords(plan, scene.checksum));
@@ -97,7 +97,7 @@ std::vector<std::string> joinCommandOf(const Plan& plan) {
 
 std::vector<std::string> environmentOf(const Plan& plan) {
   if (plan.work != Work::Render) return {};
-  return {"LP_NUM_THREADS=" + std::to_string(plan.cores)};
+  return {fmt::format("LP_NUM_THREADS={}", plan.cores)};
 }
 
 std::string shellLine(const Plan& plan, const std::vector<std::string>& command) {

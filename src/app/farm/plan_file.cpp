@@ -4,6 +4,8 @@
 #include <sstream>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/parsed_number.h"
 #include "base/text.h"
@@ -33,8 +35,7 @@ std::int64_t numberIn(const Json& object, const char* key, std::int64_t most) {
   const Json& value = object.at(key);
   const std::int64_t number = value.is_number_integer() ? value.get<std::int64_t>() : 0;
   if (number >= 1 && number <= most) return number;
-  throw InputError(std::string(key) + " " + value.dump() + " isn't a number from 1 to " +
-                   std::to_string(most));
+  throw InputError(fmt::format("{} {} isn't a number from 1 to {}", key, value.dump(), most));
 }
 
 PlannedScene sceneFrom(const Json& json) {
@@ -78,13 +79,14 @@ void requireLines(const Json& json) {
 }
 
 [[noreturn]] void refuseEdited(const std::string& file, const std::string& problem) {
-  throw InputError(file + ": " + problem + "; was it edited?");
+  throw InputError(fmt::format("{}: {}; was it edited?", file, problem));
 }
 
 [[noreturn]] void refuseVersion(const std::string& file, const std::string& version) {
-  throw InputError(file + " is a plan of version " + version +
-                   ", and this program's have version " + std::to_string(kPlanVersion) +
-                   "; submit into another folder with -o, or remove it once its tasks have ended");
+  throw InputError(
+      fmt::format("{} is a plan of version {}, and this program's have version {}; submit into "
+                  "another folder with -o, or remove it once its tasks have ended",
+                  file, version, kPlanVersion));
 }
 
 /// Throws InputError for a plan larger than any that submit makes: a few words must not take all
@@ -94,17 +96,17 @@ void requireSound(const Plan& plan, const std::string& file) {
   std::int64_t units = 0, tasks = 0;
   for (const PlannedScene& scene : plan.scenes) {
     if (scene.parts > scene.units) {
-      fail("the scene " + quotedText(scene.name) + " has " + std::to_string(scene.parts) +
-           " parts of " + std::to_string(scene.units) + " " + unitsOf(plan.work));
+      fail(fmt::format("the scene {} has {} parts of {} {}", quotedText(scene.name), scene.parts,
+                       scene.units, unitsOf(plan.work)));
     }
     units += scene.units;
     tasks += scene.parts;
     if (units > kMaxUnitsOfPlan) {
-      fail("more than " + std::to_string(kMaxUnitsOfPlan) + " " + unitsOf(plan.work) +
-           " in one plan; submit some of the scenes at a time");
+      fail(fmt::format("more than {} {} in one plan; submit some of the scenes at a time",
+                       kMaxUnitsOfPlan, unitsOf(plan.work)));
     }
     if (tasks > kMaxTasks)
-      fail("more than " + std::to_string(kMaxTasks) + " tasks in one plan; take a larger --chunk");
+      fail(fmt::format("more than {} tasks in one plan; take a larger --chunk", kMaxTasks));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
@@ -34,8 +36,9 @@ std::optional<std::int64_t> taskThatLeft(const fs::path& path, const PlanFiles& 
 }
 
 [[noreturn]] void failInTheWay(const fs::path& path, const std::string& problem) {
-  throw InputError(path.string() + " " + problem +
-                   ", and would be replaced; move it away, or submit into another folder with -o");
+  throw InputError(fmt::format(
+      "{} {}, and would be replaced; move it away, or submit into another folder with -o",
+      path.string(), problem));
 }
 
 /// Throws InputError if one of the folders that lead from the results to `file` is a link.
@@ -43,9 +46,10 @@ void requireNoLink(const PlanFiles& files, const fs::path& file) {
   std::error_code ignored;
   for (const fs::path& folder : {files.folder.parent_path(), files.folder, file.parent_path()}) {
     if (!fs::is_symlink(folder, ignored)) continue;
-    throw InputError(file.string() + " is of an earlier plan, and lies behind the link " +
-                     folder.string() +
-                     ", through which nothing is removed; remove the file, or the link");
+    throw InputError(
+        fmt::format("{} is of an earlier plan, and lies behind the link {}, through which nothing "
+                    "is removed; remove the file, or the link",
+                    file.string(), folder.string()));
   }
 }
 

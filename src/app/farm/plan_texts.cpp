@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
@@ -31,8 +33,8 @@ const PlanFormat& planFormat(std::string_view name) {
   if (found != std::end(kFormats)) return *found;
   std::vector<std::string_view> names;
   for (const PlanFormat& format : kFormats) names.emplace_back(format.name);
-  throw InputError("--plan " + std::string(name) + ": unknown; there are " +
-                   quotedList(names, "and") + didYouMean(name, names));
+  throw InputError(fmt::format("--plan {}: unknown; there are {}{}", name, quotedList(names, "and"),
+                               didYouMean(name, names)));
 }
 
 std::string listText(const Plan& plan, const std::vector<Task>& tasks) {

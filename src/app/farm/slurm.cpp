@@ -6,6 +6,8 @@
 #include <set>
 #include <sstream>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
@@ -78,13 +80,14 @@ bool isUnreachable(const std::string& problems) {
 
 [[noreturn]] void refuse(const std::string& command, const std::string& problems) {
   if (isUnreachable(problems)) {
-    throw MachineError(command + " can't reach the cluster: " + wordsOf(problems) +
-                           "; try again when its controller runs",
-                       ErrorKind::Transient);
+    throw MachineError(
+        fmt::format("{} can't reach the cluster: {}; try again when its controller runs", command,
+                    wordsOf(problems)),
+        ErrorKind::Transient);
   }
   const std::string words = wordsOf(problems);
-  throw InputError("the cluster refuses (" + command +
-                   "): " + (words.empty() ? "it says nothing" : words));
+  throw InputError(fmt::format("the cluster refuses ({}): {}", command,
+                               words.empty() ? "it says nothing" : words));
 }
 
 std::string outputOf(const std::vector<std::string>& command) {
@@ -101,8 +104,8 @@ std::string outputOf(const std::vector<std::string>& command) {
 [[noreturn]] void refusePartition(const std::string& partition,
                                   const std::set<std::string>& there) {
   const std::vector<std::string_view> names(there.begin(), there.end());
-  throw InputError("--partition " + partition + ": the cluster has no such partition; it has " +
-                   quotedList(names, "and") + didYouMean(partition, names));
+  throw InputError(fmt::format("--partition {}: the cluster has no such partition; it has {}{}",
+                               partition, quotedList(names, "and"), didYouMean(partition, names)));
 }
 
 }  // namespace
@@ -127,7 +130,7 @@ bool QueuedJob::isHeld() const {
 }
 
 std::string QueuedJob::name() const {
-  return task > 0 ? job + '_' + std::to_string(task) : job;
+  return task > 0 ? fmt::format("{}_{}", job, task) : job;
 }
 
 bool QueuedJob::isRunning() const {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "farm/progress.h"
@@ -61,12 +63,12 @@ std::string failureOf(const std::optional<TaskEnd>& end, const QueuedJob* job,
   const std::string last = lastLine(log);
   const std::string says = last.empty() ? "" : ": " + last;
   if (job != nullptr && job->isHeld())
-    return "held by the cluster (" + job->reason + "), submit again" + says;
+    return fmt::format("held by the cluster ({}), submit again{}", job->reason, says);
   // A job that was cancelled or ran out of time ends with some status, too
   if (job != nullptr && job->state != "COMPLETED" && job->state != "FAILED")
     return job->state + says;
   if (end && end->status == 1) return "something expected isn't met" + says;
-  if (end && end->status > 0) return "exit status " + std::to_string(end->status) + says;
+  if (end && end->status > 0) return fmt::format("exit status {}{}", end->status, says);
   return "its results aren't there" + says;
 }
 
@@ -138,8 +140,10 @@ std::optional<double> remainingOf(const PlanState& state, const Known& known) {
 void requireSameFolder(const Plan& plan, const fs::path& results) {
   std::error_code missing;
   if (fs::equivalent(plan.folder, results, missing)) return;
-  throw InputError((results / "farm").string() + " holds the plan of " + plan.folder.string() +
-                   ", which is another folder or none; move it back there, or submit again");
+  throw InputError(
+      fmt::format("{} holds the plan of {}, which is another folder or none; move it back there, "
+                  "or submit again",
+                  (results / "farm").string(), plan.folder.string()));
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "farm/plan_folder.h"
@@ -41,9 +43,11 @@ std::string differenceOf(const Plan& earlier, const Plan& plan) {
 [[noreturn]] void failAndCancel(const Error& error, const std::vector<std::string>& jobs) {
   const auto problem = cancelJobs(jobs);
   const std::string all = joined(jobs, " ");
-  const std::string left = problem ? "; job " + all + " was sent already and can't be cancelled (" +
-                                         *problem + "): cancel it with scancel " + all
-                                   : "; what was sent already is cancelled";
+  std::string left = "; what was sent already is cancelled";
+  if (problem)
+    left = fmt::format(
+        "; job {0} was sent already and can't be cancelled ({1}): cancel it with scancel {0}", all,
+        *problem);
   if (error.kind() == ErrorKind::Input) throw InputError(error.what() + left);
   throw MachineError(error.what() + left, error.kind());
 }
@@ -79,8 +83,9 @@ void cancelEarlier(const std::vector<std::string>& jobs) {
   const auto problem = cancelJobs(jobs);
   if (!problem) return;
   const std::string all = joined(jobs, " ");
-  throw MachineError("can't cancel job " + all + " of an earlier submission: " + *problem +
-                     "; cancel it with scancel " + all);
+  throw MachineError(
+      fmt::format("can't cancel job {0} of an earlier submission: {1}; cancel it with scancel {0}",
+                  all, *problem));
 }
 
 /// Sends the array of `sent` and the join after it; returns their numbers. The plan on the disk
@@ -125,10 +130,10 @@ std::optional<StoredPlan> continued(const Plan& plan, const PlanFiles& files) {
 void requireNoneQueued(const StoredPlan& earlier, const Plan& plan) {
   const std::vector<std::string> queued = queuedOf(readQueue(allOf(earlier.jobs)));
   if (queued.empty()) return;
-  throw InputError("an earlier submission into " + plan.folder.string() +
-                   " is still in the queue, and " + differenceOf(earlier.plan, plan) +
-                   "; cancel it (scancel " + joined(queued, " ") +
-                   "), or submit into another folder with -o");
+  throw InputError(
+      fmt::format("an earlier submission into {} is still in the queue, and {}; cancel it (scancel "
+                  "{}), or submit into another folder with -o",
+                  plan.folder.string(), differenceOf(earlier.plan, plan), joined(queued, " ")));
 }
 
 namespace {

@@ -6,6 +6,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "image/picture_file.h"
@@ -31,13 +33,14 @@ namespace fs = std::filesystem;
 store::FrameRange wholeRange(const fs::path& folder) {
   const std::vector<std::int64_t> indices = store::framesIn(folder);
   if (indices.empty()) {
-    throw InputError(folder.string() + " holds no frames named like " + store::frameName(0));
+    throw InputError(
+        fmt::format("{} holds no frames named like {}", folder.string(), store::frameName(0)));
   }
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const std::int64_t wanted = indices.front() + static_cast<std::int64_t>(i);
     if (indices[i] != wanted) {
-      throw InputError(folder.string() + ": " + store::frameName(wanted) + " is missing; " +
-                       store::frameName(indices[i]) + " comes next");
+      throw InputError(fmt::format("{}: {} is missing; {} comes next", folder.string(),
+                                   store::frameName(wanted), store::frameName(indices[i])));
     }
   }
   return {indices.front(), indices.back() + 1};
@@ -100,19 +103,20 @@ std::optional<system::AdvisoryLock> lockForReading(const fs::path& folder) {
 /// and how to assemble `joined` anyway.
 [[noreturn]] void throwMismatch(const store::FrameChecksums& checksums, const std::string& problem,
                                 const std::string& joined) {
-  throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
-                   store::FrameChecksums::filesIn(checksums.folder()).string() + " to join " +
-                   joined);
+  throw InputError(fmt::format(
+      "{}; render the scene with --resume, which draws it again, or remove {} to join {}", problem,
+      store::FrameChecksums::filesIn(checksums.folder()).string(), joined));
 }
 
 /// Throws InputError if a frame that has a checksum isn't in `range`, which has all that exist.
 void requireAllDrawn(const store::FrameChecksums& checksums, store::FrameRange range) {
   for (const std::int64_t index : checksums.indices()) {
     if (range.first <= index && index < range.end) continue;
-    throwMismatch(checksums,
-                  checksums.folder().string() + ": " + store::frameName(index) +
-                      " is missing, although " + store::kFrameChecksumsName + " lists it",
-                  "the frames that are there");
+    throwMismatch(
+        checksums,
+        fmt::format("{}: {} is missing, although {} lists it", checksums.folder().string(),
+                    store::frameName(index), store::kFrameChecksumsName),
+        "the frames that are there");
   }
 }
 
@@ -124,9 +128,9 @@ void requireWhole(const fs::path& folder, const Assembled& made) {
   }
   if (!made.isPart()) return;
   throw InputError(
-      folder.string() + " holds the frames " + store::rangeText(made.frames) + " of the scene's " +
-      std::to_string(*made.sceneFrames) +
-      "; render the scene with --resume, which draws the others, or leave out --whole");
+      fmt::format("{} holds the frames {} of the scene's {}; render the scene with --resume, which "
+                  "draws the others, or leave out --whole",
+                  folder.string(), store::rangeText(made.frames), *made.sceneFrames));
 }
 
 /// Returns the bytes of frame `index`. Throws InputError if it doesn't match its checksum.
@@ -136,11 +140,11 @@ std::string frameBytes(const store::FrameChecksums& checksums, std::int64_t inde
   std::optional<std::string> bytes = checksums.intact(index);
   if (!bytes) {
     system::checksumOfFile(path);  // Throws with the reason if the file can't be read.
-    throwMismatch(checksums,
-                  path.string() + " isn't the picture that was drawn: " +
-                      (checksums.folder() / store::kFrameChecksumsName).string() +
-                      " has another checksum for it",
-                  "frames that were changed on purpose");
+    throwMismatch(
+        checksums,
+        fmt::format("{} isn't the picture that was drawn: {} has another checksum for it",
+                    path.string(), (checksums.folder() / store::kFrameChecksumsName).string()),
+        "frames that were changed on purpose");
   }
   return std::move(*bytes);
 }
@@ -172,9 +176,9 @@ image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t inde
 void requireSameSize(const fs::path& path, const image::Image& picture, const fs::path& firstPath,
                      const image::Image& first) {
   if (picture.width() == first.width() && picture.height() == first.height()) return;
-  throw InputError("frames differ in size: " + firstPath.string() + " is " +
-                   sizeText(first.width(), first.height()) + ", " + path.string() + " is " +
-                   sizeText(picture.width(), picture.height()));
+  throw InputError(fmt::format("frames differ in size: {} is {}, {} is {}", firstPath.string(),
+                               sizeText(first.width(), first.height()), path.string(),
+                               sizeText(picture.width(), picture.height())));
 }
 
 bool isOpaque(const image::Image& picture) {
@@ -194,14 +198,16 @@ void requireOpaque(const fs::path& path, const image::Image& picture, video::Vid
                    const fs::path& firstPath) {
   if (isOpaque(picture)) return;
   if (keepsTransparency(format)) {
-    throw InputError(path.string() + " has transparent pixels, which would be lost, as " +
-                     firstPath.string() + " has no alpha channel; give all frames one");
+    throw InputError(
+        fmt::format("{} has transparent pixels, which would be lost, as {} has no alpha channel; "
+                    "give all frames one",
+                    path.string(), firstPath.string()));
   }
-  throw InputError(
-      path.string() + " has transparent pixels, which " + std::string(nameOf(format)) +
-      " can't hold; use the ending " +
-      listFormats(&video::FormatRow::ending, "or", &video::FormatRow::keepsTransparency) +
-      ", or lay the frames over a background");
+  throw InputError(fmt::format(
+      "{} has transparent pixels, which {} can't hold; use the ending {}, or lay the frames over a "
+      "background",
+      path.string(), nameOf(format),
+      listFormats(&video::FormatRow::ending, "or", &video::FormatRow::keepsTransparency)));
 }
 
 /// Returns the format that the ending of `path` names.

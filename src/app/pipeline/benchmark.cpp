@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "picture/frame_drawer.h"
 #include "pipeline/frame_sink.h"
@@ -50,8 +52,8 @@ class TemporaryFolder {
 
  private:
   static MachineError failure(const std::string& what, const std::string& error) {
-    return MachineError("can't " + what + ": " + error +
-                        "; let TMPDIR name a folder that can be written");
+    return MachineError(
+        fmt::format("can't {}: {}; let TMPDIR name a folder that can be written", what, error));
   }
 
   fs::path path_;

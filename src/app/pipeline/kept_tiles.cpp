@@ -1,5 +1,7 @@
 #include "pipeline/kept_tiles.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "system/atomic_file.h"
 
@@ -9,14 +11,16 @@ void requireMayGoOn(const store::MapTiles& kept, const MapOptions& options, cons
                     std::string (*parts)(std::size_t count)) {
   const store::MapTiles::Count tiles = kept.count();
   if (tiles.other > 0) {
-    throw InputError(kept.folder().string() + " holds " + parts(tiles.other) +
-                     " of an unfinished " + work +
-                     " with other settings, or another build of this program; discard them with "
-                     "--overwrite, or name another folder with -o");
+    throw InputError(
+        fmt::format("{} holds {} of an unfinished {} with other settings, or another build of this "
+                    "program; discard them with --overwrite, or name another folder with -o",
+                    kept.folder().string(), parts(tiles.other), work));
   }
   if (tiles.same > 0 && !options.resume && !options.part) {
-    throw InputError(kept.folder().string() + " holds " + parts(tiles.same) + " of this " + work +
-                     ", which isn't finished; go on with --resume, or begin anew with --overwrite");
+    throw InputError(
+        fmt::format("{} holds {} of this {}, which isn't finished; go on with --resume, or begin "
+                    "anew with --overwrite",
+                    kept.folder().string(), parts(tiles.same), work));
   }
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "picture/frame_drawer.h"
@@ -146,9 +148,8 @@ class Render {
   std::string keptText(const store::ClipFolder& folder) const {
     const std::size_t count = png_ ? folder.resumableFrames() : 0;
     if (count == 0) return "";
-    return "\n  " + std::to_string(count) +
-           (count == 1 ? " finished frame is kept in " : " finished frames are kept in ") +
-           folder.path().string() + "/; go on with the same command and --resume";
+    return fmt::format("\n  {} finished {} kept in {}/; go on with the same command and --resume",
+                       count, count == 1 ? "frame is" : "frames are", folder.path().string());
   }
 
   void renderInto(store::ClipFolder& folder, const std::string& record,
@@ -250,9 +251,9 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
   const std::int64_t count = motion.frameCount();
   const store::FrameRange range = wanted.value_or(store::FrameRange{0, count});
   if (0 <= range.first && range.first < range.end && range.end <= count) return range;
-  throw InputError("frames " + std::to_string(range.first) + ":" + std::to_string(range.end) +
-                   " don't exist; this clip has 0:" + std::to_string(count) +
-                   (motion.allDiverge() ? ", up to a second after its motion diverges" : ""));
+  throw InputError(
+      fmt::format("frames {}:{} don't exist; this clip has 0:{}{}", range.first, range.end, count,
+                  motion.allDiverge() ? ", up to a second after its motion diverges" : ""));
 }
 
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -19,11 +21,11 @@ ClipCheck equality(const std::string& what, const std::string& measured,
 }
 
 std::string codecText(const video::ClipFacts& facts) {
-  return facts.codec + " " + facts.profile + ", " + facts.pixelFormat;
+  return fmt::format("{} {}, {}", facts.codec, facts.profile, facts.pixelFormat);
 }
 
 std::string codecText(const video::FormatRow& format) {
-  return std::string(format.codec) + " " + std::string(format.recorded.profile);
+  return fmt::format("{} {}", format.codec, format.recorded.profile);
 }
 
 std::string secondsText(double seconds) {
@@ -35,8 +37,8 @@ std::string milliseconds(double seconds) {
 }
 
 std::string coloursText(const video::ColourTags& tags) {
-  return "primaries " + tags.primaries + ", transfer " + tags.transfer + ", matrix " + tags.matrix +
-         ", range " + tags.range;
+  return fmt::format("primaries {}, transfer {}, matrix {}, range {}", tags.primaries,
+                     tags.transfer, tags.matrix, tags.range);
 }
 
 /// Returns the colours and pixel aspect ratio that are valid for a picture.
@@ -45,7 +47,7 @@ std::string tagsText(const video::ColourTags& colours, const std::string& shape)
 }
 
 std::string shapesText(const std::string& container, const std::string& stream) {
-  return container + " in the container, " + stream + " in the stream";
+  return fmt::format("{} in the container, {} in the stream", container, stream);
 }
 
 /// Returns a text of the pixels cut off at left, top, right and bottom; empty if they only fill up
@@ -54,8 +56,8 @@ std::string cropText(const std::array<std::int64_t, 4>& crop) {
   constexpr std::int64_t kMacroblock = 16;
   const auto [left, top, right, bottom] = crop;
   if (left == 0 && top == 0 && right < kMacroblock && bottom < kMacroblock) return "";
-  return std::to_string(left) + ", " + std::to_string(top) + ", " + std::to_string(right) +
-         " and " + std::to_string(bottom) + " pixels at left, top, right and bottom";
+  return fmt::format("{}, {}, {} and {} pixels at left, top, right and bottom", left, top, right,
+                     bottom);
 }
 
 ClipCheck titleCheck(const std::string& title, const std::string& wanted) {
@@ -91,7 +93,7 @@ std::vector<ClipCheck> checkForm(const video::FormDifferences& found) {
 }
 
 void DisplayCheck::add(const video::PictureFacts& picture) {
-  const std::string where = " in picture " + std::to_string(count_++);
+  const std::string where = fmt::format(" in picture {}", count_++);
   const auto keepFirst = [&](std::string& kept, const std::string& text) {
     if (kept.empty() && !text.empty()) kept = text + where;
   };
@@ -139,7 +141,7 @@ std::vector<ClipCheck> TimeCheck::checks() const {
            "frame n at n/fps within " + milliseconds(stampBound),
            allHaveTimes_ && largestError_ <= stampBound},
           {"duration", secondsText(facts_.duration),
-           secondsText(wanted) + " within " + milliseconds(lengthBound),
+           fmt::format("{} within {}", secondsText(wanted), milliseconds(lengthBound)),
            std::abs(facts_.duration - wanted) <= lengthBound}};
 }
 

@@ -4,6 +4,8 @@
 #include <iterator>
 #include <set>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/verify/picture_comparison.h"
@@ -41,8 +43,8 @@ std::set<std::int64_t> chosenFrames(store::FrameRange range, const std::string& 
   if (options.frames.empty()) return spreadFrames(range, motion);
   for (const std::int64_t frame : options.frames) {
     if (range.first <= frame && frame < range.end) continue;
-    throw InputError("frame " + std::to_string(frame) + " isn't in the clip, which has " +
-                     std::to_string(range.first) + " to " + std::to_string(range.end - 1));
+    throw InputError(fmt::format("frame {} isn't in the clip, which has {} to {}", frame,
+                                 range.first, range.end - 1));
   }
   return {options.frames.begin(), options.frames.end()};
 }

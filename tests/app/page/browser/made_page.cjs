@@ -83,6 +83,9 @@ expect = [{ of = "order", curve = "rk4", min = 3 }]
 };
 
 let browser;
+// By their options but the window's size. A new context, and a page that is alone in it, take processes of their own: half a second.
+const contexts = new Map();
+let left = null;  // The page that was closed last is there until the next one is.
 
 function rotatebook(...words) {
   return execFileSync(process.env.ROTATEBOOK_PROGRAM, words, {cwd: kOutput, encoding: "utf8", stdio: "pipe"});
@@ -119,13 +122,20 @@ async function startBrowser() {
 
 const closeBrowser = () => browser?.close();
 
+async function newPage({viewport = kDesktop, ...options}) {
+  const key = JSON.stringify(options);
+  if (!contexts.has(key)) contexts.set(key, await browser.newContext({viewport, reducedMotion: "reduce", ...options}));
+  const page = await contexts.get(key).newPage();
+  await page.setViewportSize(viewport);
+  return page;
+}
+
 /**
  * Opens the page, or that with a `live` book, or that at an `address`, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
  * browser complains of or asks a network for.
  */
 async function open(options = {}, {place = "", script = null, live = false, address = ""} = {}) {
-  const context = await browser.newContext({viewport: kDesktop, reducedMotion: "reduce", ...options});
-  const page = await context.newPage();
+  const page = await newPage(options);
   if (script) await page.addInitScript(script);
   page.setDefaultTimeout(kWait);
   const problems = [];
@@ -137,7 +147,13 @@ async function open(options = {}, {place = "", script = null, live = false, addr
   });
   page.on("request", (request) => { if (!/^(file|data):/.test(request.url()) && !(address && request.url().startsWith(address))) problems.push("network: " + request.url()); });
   await page.goto((address || pathToFileURL(path.join(kOut, live ? "live.html" : "index.html")).href) + place);
-  return {page, problems, close: () => context.close()};
+  await left?.close();
+  left = null;
+  const close = async () => {
+    if (options.javaScriptEnabled !== false) await page.evaluate(() => localStorage.clear());
+    left = page;
+  };
+  return {page, problems, close};
 }
 
 /** A clip whose player is there and whose first picture is loaded. */

@@ -90,7 +90,7 @@ void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
   if (!arguments.junit.empty())
     refuseInputs(arguments.junit, inputsOf(file, scene), "name another file with --junit");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& panels = scene.motions;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const auto& simulation = panels[i].simulation;
     if (simulation.model == physics::Model::Recorded) printNotes(file, *simulation.recorded.motion);

@@ -14,7 +14,8 @@ JsonObject fileObject(const SceneFile& file) {
 }
 
 std::string panelLabels(const scene::Scene& scene) {
-  return jsonArrayOf(scene.panels,
+  if (!scene.hasPanels()) return "[]";
+  return jsonArrayOf(scene.motions,
                      [](const scene::Panel& panel) { return jsonString(panel.label); });
 }
 

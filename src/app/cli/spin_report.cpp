@@ -150,7 +150,7 @@ void addPeriod(const Spin& spin, JsonObject& object) {
 std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene) {
   const std::int64_t frames = scene.clip.frameCount();
   std::vector<SpinNumbers> all;
-  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+  for (const scene::Panel& motion : scene.motions) {
     all.push_back({motion, timeline::spinOf(motion), timeline::eulerStepsFor(motion, frames),
                    timeAt(scene, static_cast<double>(frames - 1))});
   }

@@ -20,7 +20,7 @@ struct SpinNumbers {
   double duration = 0;  ///< Simulated time for which Euler was tried. [s]
 };
 
-/// Returns the numbers of each motion of `scene`, in the order of scene::motionsOf().
+/// Returns the numbers of each motion of `scene`, in the order of Scene::motions.
 std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene);
 
 /// Returns a sentence for each number that this spin hasn't, or whose meaning differs: of a steady

@@ -88,7 +88,7 @@ scene::Scene readStudied(const std::string& path, const StudyArguments& argument
   std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   scene::Scene scene = arguments.sceneOptions.read(path, shorthands);
   if (scene.study) return scene;
-  if (!scene.panels.empty()) {
+  if (scene.hasPanels()) {
     throw InputError(
         scene::locationOf(scene, "panel") +
         ": a study needs a single motion, but this scene has several, panels or a grid");

@@ -68,7 +68,7 @@ void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
 
 Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   Clip clip;
-  clip.motions = scene::motionsOf(scene);
+  clip.motions = scene.motions;
   clip.files = store::clipFiles(folder, scene.name);
   clip.csvs = store::csvFiles(clip.files.csv, scene);
   clip.videos = videosOf(scene, clip.files);

@@ -54,7 +54,7 @@ ClipResult readClipResult(const std::filesystem::path& file, const scene::Scene&
   const auto result =
       readResult<ClipResult>(file, store::sceneChecksum(scene),
                              [&](const Json& json) { return resultIn(json, checksum); });
-  if (result && result->motions.size() == scene::motionsOf(scene).size()) return *result;
+  if (result && result->motions.size() == scene.motions.size()) return *result;
   throw InputError(fmt::format("{} was made from another scene or with other settings; {}",
                                file.string(), renderAgain(scene, file.parent_path())));
 }

@@ -22,7 +22,7 @@ struct MotionResult {
 /// The result of a clip: timeline::clipJson().
 struct ClipResult {
   std::int64_t frames = 0;
-  std::vector<MotionResult> motions{};  ///< In the order of scene::motionsOf().
+  std::vector<MotionResult> motions{};  ///< In the order of Scene::motions.
   std::vector<Event> events{};
   /// "plots" with "rate", "frames" and, unless it is empty, "checksum"; safe in a <script>.
   std::string plots{};

@@ -21,16 +21,12 @@ constexpr int kSmallestPanel = 16;       // shorter side [pixels]
 constexpr double kPanelLetters = 0.028;  // letter size, share of the picture's shorter side
 constexpr std::array<std::uint8_t, 4> kBackgroundColour{17, 17, 19, 255};
 
-bool hasPanels(const scene::Scene& scene) {
-  return !scene.panels.empty();
-}
-
 /// Arranges the panels above the text; the picture of a single motion continues behind it.
 PanelGrid gridOf(const scene::Scene& scene, const std::optional<GridMargins>& margins,
                  const overlay::CaptionAndClock& text) {
   if (margins) return margins->cells();
-  if (!hasPanels(scene)) return plot::panelGrid(1, scene.clip.width, scene.clip.height);
-  const auto count = static_cast<int>(scene.panels.size());
+  if (!scene.hasPanels()) return plot::panelGrid(1, scene.clip.width, scene.clip.height);
+  const auto count = static_cast<int>(scene.motions.size());
   const PanelGrid grid =
       plot::panelGrid(count, scene.clip.width, scene.clip.height - text.bottomRows());
   if (std::min(grid.width, grid.height) >= kSmallestPanel) return grid;
@@ -45,7 +41,7 @@ double panelLetters(const scene::Scene& scene) {
 std::optional<overlay::PanelHeads> headsOf(const scene::Scene& scene,
                                            const timeline::ClipMotion& motion,
                                            const PanelGrid& grid) {
-  if (!hasPanels(scene)) return std::nullopt;
+  if (!scene.hasPanels()) return std::nullopt;
   overlay::PanelCells cells{.width = grid.width, .height = grid.height};
   for (const auto& [x, y] : grid.positions) cells.corners.emplace_back(x, y);
   cells.letters = scene.grid ? 0 : panelLetters(scene);  // A grid's are of the cell's own size
@@ -65,7 +61,7 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
                                                 const PanelGrid& grid,
                                                 const std::optional<overlay::PanelHeads>& heads,
                                                 const overlay::CaptionAndClock& text) {
-  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& panels = scene.motions;
   double energyTop = 0;
   for (const physics::Trajectory& trajectory : motion.trajectories()) {
     energyTop = std::max(energyTop, overlay::energyChartTop(trajectory));
@@ -128,7 +124,7 @@ std::optional<GridMargins> marginsOf(const scene::Scene& scene,
 
 overlay::CaptionAndClock captionAndClockOf(const scene::Scene& scene) {
   using Position = overlay::CaptionAndClock::ClockPosition;
-  return overlay::CaptionAndClock(scene, hasPanels(scene) ? Position::Bottom : Position::TopLeft);
+  return overlay::CaptionAndClock(scene, scene.hasPanels() ? Position::Bottom : Position::TopLeft);
 }
 
 Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& motion)

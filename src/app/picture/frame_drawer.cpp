@@ -31,7 +31,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
       }()),
       moments_(scene),
       isGrid_(scene.grid.has_value()),
-      hasText_(!scene.overlay.show.empty() || !scene.panels.empty()) {
+      hasText_(!scene.overlay.show.empty() || scene.hasPanels()) {
   const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
 }

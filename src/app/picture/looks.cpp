@@ -111,14 +111,14 @@ struct SceneBodies {
 
 SceneBodies bodiesOf(const scene::Scene& scene) {
   SceneBodies all;
-  const std::vector<scene::Panel> motions = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& motions = scene.motions;
   for (std::size_t i = 0; i < motions.size(); ++i) {
     const scene::Solid& solid = motions[i].solid;
     const auto same = std::ranges::find(all.bodies, solid, &SceneBody::solid);
     all.bodyOf.push_back(static_cast<std::size_t>(same - all.bodies.begin()));
     if (same != all.bodies.end()) continue;
     const std::string key =
-        scene.panels.empty() ? "body.mesh" : fmt::format("panel.{}.body.mesh", i);
+        scene.hasPanels() ? fmt::format("panel.{}.body.mesh", i) : "body.mesh";
     all.bodies.push_back({solid, motions[i].body.size, solid.mesh.name.empty() ? "" : key});
   }
   return all;
@@ -131,7 +131,7 @@ bool hasBook(const SceneBodies& all) {
 /// Returns what `work` returns. Throws an InputError of it again with the bodies' location.
 template <typename Work>
 auto atBodies(const scene::Scene& scene, const Work& work) {
-  return scene::atLocationOf(scene, scene.panels.empty() ? "body" : "panel", work);
+  return scene::atLocationOf(scene, scene.hasPanels() ? "panel" : "body", work);
 }
 
 /// Returns the look of a body that isn't the book.

@@ -23,12 +23,9 @@ std::vector<NamedFile> namedFiles(const scene::Scene& scene) {
   };
   for (const std::string& side : {scene.book.front, scene.book.spine, scene.book.back})
     add(side == scene::kBuiltin ? "" : side, "texture");
-  addOf(scene);
-  for (const scene::Panel& panel : scene.panels) addOf(panel);
-  if (scene.study) {
-    for (const scene::StudyRun& run : scene.study->runs)
-      add(run.motion.simulation.recorded.file, "recording");
-  }
+  for (const scene::Panel& panel : scene.motions) addOf(panel);
+  for (const scene::StudyRun& run : scene.runs)
+    add(run.motion.simulation.recorded.file, "recording");
   if (!scene.wordsFile.empty()) files.push_back({scene.wordsFile, "table of words"});
   return files;
 }

@@ -27,9 +27,9 @@ std::string noteOnRoom(const scene::Scene& scene) {
     names.push_back(quotedText(scene::rowOf(overlay).name));
   if (names.empty()) return "";
   const char* them = names.size() == 1 ? "it" : "them";
-  const char* have = scene.grid                ? "cells have"
-                     : scene.panels.size() > 1 ? "panels have"
-                                               : "a picture has";
+  const char* have = scene.grid          ? "cells have"
+                     : scene.hasPanels() ? "panels have"
+                                         : "a picture has";
   return fmt::format(
       "overlay.show has {}, for which {} no room in {} pixels; make the picture larger, or leave "
       "{} out",

@@ -49,7 +49,7 @@ store::FrameRange wholeRange(const fs::path& folder) {
 /// Returns the number of frames of the scene's whole clip. Recorded motions never diverge, and
 /// their files needn't be here.
 std::int64_t wholeFrameCount(const scene::Scene& scene) {
-  const bool isRecorded = std::ranges::any_of(scene::motionsOf(scene), [](const auto& panel) {
+  const bool isRecorded = std::ranges::any_of(scene.motions, [](const auto& panel) {
     return panel.simulation.model == physics::Model::Recorded;
   });
   return isRecorded ? scene.clip.frameCount() : timeline::simulateScene(scene).frameCount();

@@ -98,7 +98,7 @@ void fill(Panel& panel, std::size_t index, const study::MapResult& result,
 
 /// Of so many runs across and up one is drawn.
 int strideOf(const scene::Scene& scene) {
-  const int across = scene.map->width * static_cast<int>(motionsOf(scene).size());
+  const int across = scene.map->width * static_cast<int>(scene.motions.size());
   return std::max(1, (across + kLargestAreas - 1) / kLargestAreas);
 }
 
@@ -106,7 +106,7 @@ int strideOf(const scene::Scene& scene) {
 Plot emptyPlot(const scene::Scene& scene, int leastWidth) {
   const scene::MapSettings& map = *scene.map;
   Plot plot{scene.title, scene.caption, labelOfScale(map)};
-  const int panels = static_cast<int>(motionsOf(scene).size()), across = map.width * panels;
+  const int panels = static_cast<int>(scene.motions.size()), across = map.width * panels;
   const int stride = strideOf(scene);
   const int scale = std::max(1, (kSmallestAreas + across - 1) / across);
   plot.areaWidth = 1.0 * ((map.width + stride - 1) / stride * scale);
@@ -114,7 +114,7 @@ Plot emptyPlot(const scene::Scene& scene, int leastWidth) {
   plot.letters = std::clamp(6 + 0.0105 * across * scale / stride, 14.0, 36.0);
   plot.isDark = true;
   plot.leastWidth = leastWidth;
-  for (const scene::Panel& motion : motionsOf(scene)) {
+  for (const scene::Panel& motion : scene.motions) {
     Panel panel{motion.label, axisOf(map.x), axisOf(map.y), !plot.panels.empty()};
     panel.pen = {kContourColour, 0.09 * plot.letters, 0.7};
     for (const scene::MapMark& mark : map.marks)

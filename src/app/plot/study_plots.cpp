@@ -205,7 +205,7 @@ std::vector<PlotFile> studyPlot(const study::Study& result, const scene::Scene& 
 void requireStudyLetters(const scene::Scene& scene) {
   std::vector<std::string> texts{scene.title};
   for (const scene::AxisValue& value : scene.study->x.values) texts.push_back(value.label);
-  for (const scene::StudyRun& run : scene.study->runs) texts.push_back(run.curve);
+  for (const scene::StudyRun& run : scene.runs) texts.push_back(run.curve);
   Drawing drawing(1, 1, {}, lettersOf(scene));
   for (const std::string& text : texts) drawing.write(text, {}, Point(0, 0));
 }

@@ -154,8 +154,8 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
   if (csv.empty()) return {};
   if (timeline::tableCount(scene) == 1) return {csv};
   std::vector<fs::path> files;
-  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
-    std::string name = csv.stem().string() + "_" + slugOf(scene.panels[i].label);
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    std::string name = csv.stem().string() + "_" + slugOf(scene.motions[i].label);
     const auto path = [&] { return csv.parent_path() / (name + csv.extension().string()); };
     const auto taken = [&] { return std::ranges::count(files, path()) > 0; };
     if (name.ends_with('_') || taken()) name += std::to_string(i + 1);

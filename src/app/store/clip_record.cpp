@@ -106,7 +106,7 @@ bool lacksFiles(const scene::Scene& scene) {
     std::error_code error;
     return file != scene::kBuiltin && !fs::exists(scene.folder / file, error);
   };
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     const auto& simulation = panel.simulation;
     if (simulation.model == physics::Model::Recorded && isMissing(simulation.recorded.file)) {
       return true;
@@ -178,8 +178,8 @@ bool readFilesNear(const fs::path& clip, RecordedClip& recorded) {
 
 /// Returns the text of all that the clip of `scene` depends on.
 std::string clipText(scene::Scene scene) {
-  scene.expectations.clear();
-  for (scene::Panel& panel : scene.panels) panel.expectations.clear();
+  scene.motion.expectations.clear();
+  for (scene::Panel& panel : scene.motions) panel.expectations.clear();
   if (scene.grid) scene.grid->expected.clear();
   scene.study.reset();
   return sceneText(scene);

@@ -41,7 +41,7 @@ double bytesNeeded(const scene::Scene& scene, const FilesToWrite& files) {
       std::pow(static_cast<double>(scene.clip.width) * scene.clip.height, kPower);
   const double png = kPngWeight * picture + captionBytes(scene, picture) + kFileBlock;
   const double table = kTableRow * static_cast<double>(scene.clip.frameCount()) + kFileBlock;
-  double bytes = kSmallFiles + table * static_cast<double>(motionsOf(scene).size());
+  double bytes = kSmallFiles + table * static_cast<double>(scene.motions.size());
   bytes += png;  // the poster
   bytes += static_cast<double>(files.pngs) * (png + kChecksumLine);
   for (const video::VideoFormat format : files.formats) {

@@ -141,7 +141,7 @@ BodyMesh lastBody;  // of rb_body()
 
 /// Returns the JSON of a motion's body, which becomes lastBody.
 std::string makeBody(std::int32_t slot, std::int32_t motion) {
-  const std::vector<scene::Panel> motions = scene::motionsOf(in(slot).scene());
+  const std::vector<scene::Panel>& motions = in(slot).scene().motions;
   const scene::Panel& panel = motions.at(static_cast<std::size_t>(motion));
   if (panel.solid.isBook()) return "null";
   lastBody = bodyMeshOf(panel, [](const std::string& name) {

@@ -41,7 +41,7 @@ void refuseLong(const scene::Scene& scene, std::size_t motions) {
 }  // namespace
 
 PlayedScene::PlayedScene(scene::Scene scene)
-    : scene_(std::move(scene)), motionCount_(scene::motionsOf(scene_).size()) {
+    : scene_(std::move(scene)), motionCount_(scene_.motions.size()) {
   refuseLong(scene_, motionCount_);
   simulation_.emplace(scene_);
 }
@@ -59,7 +59,7 @@ void PlayedScene::replace(scene::Scene scene) {
 std::int64_t PlayedScene::stepsOfFrame() const {
   constexpr double kManySteps = 1e15;
   double steps = 0;
-  for (const scene::Panel& panel : scene::motionsOf(scene_)) {
+  for (const scene::Panel& panel : scene_.motions) {
     const physics::EqualSteps each = panel.simulation.steps();
     steps += each.count * std::max(1.0, std::ceil(panel.simulation.timePerFrame / each.time));
   }

@@ -94,7 +94,7 @@ std::string wordsJson() {
 }
 
 std::string sceneJson(const scene::Scene& scene) {
-  const std::vector<scene::Panel> motions = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& motions = scene.motions;
   const FrameRate rate = scene.clip.frameRate;
   return JsonObject()
       .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))

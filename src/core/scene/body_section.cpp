@@ -52,23 +52,6 @@ void checkStatement(const ValueReader& section, const Solid& solid) {
     section.find("mesh")->fail("body.mesh needs body.density or body.mass");
 }
 
-/// Gives a motion the numbers of its solid.
-void settle(const ValueReader& section, Motion& motion) {
-  motion.solid.mass.reset();
-  if (section.find("mass")) motion.solid.mass = motion.body.mass;
-  std::optional<ValueReader> place;
-  for (const char* key : {"dimensions", "shape", "mesh", "part"}) {
-    if (!place) place = section.find(key);
-  }
-  failAtValue(place.value_or(section), [&] {
-    requireMatter(motion.solid.parts);
-    const SolidNumbers numbers = numbersOf(motion.solid);
-    motion.body.size = numbers.size;
-    motion.body.mass = numbers.properties.mass;
-    motion.inertia = numbers.properties.inertia;
-  });
-}
-
 void readBody(const ValueReader& section, Motion& motion) {
   auto fields = fieldsInto(motion, bodyKeys());
   const auto others = fieldsInto(motion.solid, solidKeys());
@@ -76,7 +59,10 @@ void readBody(const ValueReader& section, Motion& motion) {
   section.readTable(fields);
   readStatedShape(section, motion.solid);
   checkStatement(section, motion.solid);
-  if (!motion.solid.isBook()) settle(section, motion);
+  if (motion.solid.isBook()) return;
+  motion.solid.mass.reset();
+  if (section.find("mass")) motion.solid.mass = motion.body.mass;
+  motion.body = {};
 }
 
 std::string bodyLines(const Motion& motion, Printed printed) {

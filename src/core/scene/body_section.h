@@ -1,4 +1,4 @@
-// The section [body], and what follows from it. Inside the room only.
+// The section [body], and the files that it names. Inside the room only.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,6 @@
 
 namespace rotatebook::scene {
 
-/// Returns the section. Of a body that isn't the book, size, mass and inertia follow.
 Section<Motion> bodySection();
 
 /// Files of meshes, by name.

@@ -84,10 +84,10 @@ bool isAt(const std::optional<std::string>& wanted, const std::optional<Axis>& a
 }
 
 /// Returns what the scene expects of all motions, and [grid] of this cell.
-std::vector<Expectation> expectedAt(const Scene& scene, std::size_t column, std::size_t row) {
-  std::vector<Expectation> all = scene.expectations;
-  for (Expectation one : scene.grid->expected) {
-    if (!isAt(one.at[0], scene.grid->columns, column) || !isAt(one.at[1], scene.grid->rows, row)) {
+std::vector<Expectation> expectedAt(const Spec& spec, std::size_t column, std::size_t row) {
+  std::vector<Expectation> all = spec.motion.expectations;
+  for (Expectation one : spec.grid->expected) {
+    if (!isAt(one.at[0], spec.grid->columns, column) || !isAt(one.at[1], spec.grid->rows, row)) {
       continue;
     }
     one.at = {};
@@ -96,38 +96,39 @@ std::vector<Expectation> expectedAt(const Scene& scene, std::size_t column, std:
   return all;
 }
 
-/// Makes a panel of each cell, row by row.
-void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const ValueReader& file,
-                Scene& scene) {
+/// Returns the motion of each cell, row by row.
+std::vector<Panel> motionsOfCells(const ReadGridAxis& columns, const ReadGridAxis& rows,
+                                  const ValueReader& file, const Spec& spec, const Shared& shared) {
   const bool hasColumns = columns.varied.has_value();
   const ReadGridAxis &inner = hasColumns ? columns : rows, &outer = hasColumns ? rows : columns;
+  std::vector<Panel> cells;
   document::Problems problems;
   for (std::size_t i = 0; i < outer.count(); ++i) {
     TomlNode sections = motionPart(file);
     problems.note([&] { putAt(sections, outer, i); });
-    const VariedMotions motions(sections, scene, *inner.varied);
+    const VariedMotions motions(sections, shared, *inner.varied);
     for (std::size_t j = 0; j < inner.count(); ++j) {
       const std::size_t column = hasColumns ? j : i, row = hasColumns ? i : j;
       problems.note([&] {
-        Panel& panel = scene.panels.emplace_back();
+        Panel& panel = cells.emplace_back();
         static_cast<Motion&>(panel) = motions.with(inner.varied->values[j]);
-        panel.expectations = expectedAt(scene, column, row);
-        panel.label =
-            joined({labelAt(scene.grid->columns, column), labelAt(scene.grid->rows, row)});
+        panel.expectations = expectedAt(spec, column, row);
+        panel.label = joined({labelAt(spec.grid->columns, column), labelAt(spec.grid->rows, row)});
       });
     }
   }
   problems.throwIfAny();
+  return cells;
 }
 
 /// Throws InputError if a key changes nothing in any of the motions.
-void refuseUnusedKey(const ReadGridAxis& axis, const Scene& scene) {
+void refuseUnusedKey(const ReadGridAxis& axis, const std::vector<Panel>& cells) {
   if (!axis.varied) return;
-  refuseUnused(axis.varied->key, axis.varied->path, modelsOf(scene.panels), "books");
+  refuseUnused(axis.varied->key, axis.varied->path, modelsOf(cells), "books");
 }
 
-void refuseManySamples(const ValueReader& section, const Scene& scene) {
-  const auto samples = static_cast<std::int64_t>(scene.panels.size()) * scene.clip.frameCount();
+void refuseManySamples(const ValueReader& section, std::size_t cells, const ClipSettings& clip) {
+  const auto samples = static_cast<std::int64_t>(cells) * clip.frameCount();
   if (samples <= kMaxGridSamples) return;
   section.fail("the books of [grid] have " + std::to_string(samples) +
                " frames together; the limit is " + std::to_string(kMaxGridSamples) +
@@ -136,9 +137,10 @@ void refuseManySamples(const ValueReader& section, const Scene& scene) {
 
 }  // namespace
 
-void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene) {
+GridSettings readGrid(const ValueReader& section, const ValueReader& file) {
   refuseOtherSections(file);
-  readKeys(section, gridKeys(), scene.grid.emplace());
+  GridSettings grid;
+  readKeys(section, gridKeys(), grid);
   if (!section.find("columns") && !section.find("rows")) {
     section.fail(
         "[grid] needs columns or rows, such as columns = { key = "
@@ -151,15 +153,23 @@ void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene)
     rows.varied->key.fail(rows.varied->key.name() + " is grid.columns.key, too; name another key");
   }
   const auto axisIn = [](const std::optional<Axis>& axis) { return axis ? &*axis : nullptr; };
-  kGridExpectations.check(section, {axisIn(scene.grid->columns), axisIn(scene.grid->rows)});
-  makePanels(columns, rows, file, scene);
-  refuseUnusedKey(columns, scene);
-  refuseUnusedKey(rows, scene);
-  refuseManySamples(section, scene);
+  kGridExpectations.check(section, {axisIn(grid.columns), axisIn(grid.rows)});
+  return grid;
 }
 
-std::string gridText(const Scene& scene, Printed printed) {
-  return scene.grid ? "\n[grid]\n" + linesOf(gridKeys(), *scene.grid, printed) : "";
+std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shared& shared) {
+  const ValueReader section = *file.find("grid");
+  const ReadGridAxis columns = readAxis(section, "columns", file);
+  const ReadGridAxis rows = readAxis(section, "rows", file);
+  std::vector<Panel> cells = motionsOfCells(columns, rows, file, spec, shared);
+  refuseUnusedKey(columns, cells);
+  refuseUnusedKey(rows, cells);
+  refuseManySamples(section, cells.size(), spec.clip);
+  return cells;
+}
+
+std::string gridText(const Spec& spec, Printed printed) {
+  return spec.grid ? "\n[grid]\n" + linesOf(gridKeys(), *spec.grid, printed) : "";
 }
 
 }  // namespace rotatebook::scene

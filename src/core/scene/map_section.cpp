@@ -215,8 +215,8 @@ void refuseManyMapRuns(const ValueReader& section, const MapSettings& map, std::
 
 }  // namespace
 
-void readMap(const ValueReader& section, Scene& scene) {
-  MapSettings& map = scene.map.emplace();
+MapSettings readMap(const ValueReader& section) {
+  MapSettings map;
   readKeys(section, mapKeys(), map);
   for (const char* key : {"x", "y", "measure"}) {
     if (!section.find(key)) section.fail("[map] needs " + std::string(key));
@@ -224,7 +224,17 @@ void readMap(const ValueReader& section, Scene& scene) {
   if (map.x.key == map.y.key) {
     section.find("y", "key")->fail("map.y.key is map.x.key, too; name another key");
   }
-  const std::vector<Panel> motions = motionsOf(scene);
+  document::Problems problems;
+  problems.note([&] { checkTime(section, map); });
+  problems.note([&] { checkMarks(section, map); });
+  problems.note([&] { checkFilm(section, map); });
+  problems.throwIfAny();
+  return map;
+}
+
+void checkMap(const ValueReader& section, const Scene& scene) {
+  const MapSettings& map = *scene.map;
+  const std::vector<Panel>& motions = scene.motions;
   if (anyIs(motions, Model::Recorded)) {
     section.fail(
         "[map] varies how motions start, which recorded ones don't take; leave it out, or "
@@ -234,17 +244,14 @@ void readMap(const ValueReader& section, Scene& scene) {
   problems.note([&] { refuseManyMapRuns(section, map, motions.size()); });
   problems.note([&] { checkAxis({*section.find("x"), map.x}, motions); });
   problems.note([&] { checkAxis({*section.find("y"), map.y}, motions); });
-  problems.note([&] { checkTime(section, map); });
   problems.note([&] { checkMeasure(section, map, motions); });
   problems.note([&] { refuseTilt(section, map, motions); });
-  problems.note([&] { checkMarks(section, map); });
   problems.note([&] { checkMapExpected(section, map, motions); });
-  problems.note([&] { checkFilm(section, map); });
   problems.throwIfAny();
 }
 
-std::string mapText(const Scene& scene, Printed printed) {
-  return scene.map ? "\n[map]\n" + linesOf(mapKeys(), *scene.map, printed) : "";
+std::string mapText(const Spec& spec, Printed printed) {
+  return spec.map ? "\n[map]\n" + linesOf(mapKeys(), *spec.map, printed) : "";
 }
 
 }  // namespace rotatebook::scene

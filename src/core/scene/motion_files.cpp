@@ -71,31 +71,27 @@ void readIfRecorded(physics::MotionSettings& motion, const Scene& scene,
 void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
   const double length = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
   const std::string location = locationOf(scene, "simulation.file");
-  const auto read = [&](auto& motion, const std::string& place) {
-    readIfRecorded(motion, scene, place, length, readNamedFile);
-    if (lacksSurface(motion)) placeInMesh(motion, readNamedFile);
-  };
-  if (scene.panels.empty()) read(scene, location);
-  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
     const bool isOwn = scene.locations.contains(recordingKey(i));
-    read(scene.panels[i], isOwn ? locationOf(scene, recordingKey(i)) : location);
+    Panel& motion = scene.motions[i];
+    readIfRecorded(motion, scene, isOwn ? locationOf(scene, recordingKey(i)) : location, length,
+                   readNamedFile);
+    if (lacksSurface(motion)) placeInMesh(motion, readNamedFile);
   }
-  if (!scene.study) return;
-  for (StudyRun& run : scene.study->runs) {
+  for (StudyRun& run : scene.runs) {
     readIfRecorded(run.motion, scene, location, 0, readNamedFile);
   }
 }
 
 void readMeshFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
   MeshFiles read;
-  const auto take = [&](MeshFile& mesh) {
+  for (Panel& panel : scene.motions) {
+    MeshFile& mesh = panel.solid.mesh;
     takeContent(read, mesh);
-    if (mesh.name.empty() || mesh.content != nullptr) return;
+    if (mesh.name.empty() || mesh.content != nullptr) continue;
     takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh);
     read.try_emplace(mesh.name, mesh);
-  };
-  if (scene.panels.empty()) take(scene.solid.mesh);
-  for (Panel& panel : scene.panels) take(panel.solid.mesh);
+  }
 }
 
 }  // namespace rotatebook::scene

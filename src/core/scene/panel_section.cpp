@@ -10,7 +10,6 @@
 #include "scene/names.h"
 #include "scene/placed_particles.h"
 #include "scene/sections.h"
-#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -127,7 +126,6 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
 }
 
 Panel readPanel(const ValueReader& panel, const ValueReader& file,
-                const physics::SimulationSettings& clock, const MeshFiles& meshes,
                 const std::vector<Panel>& earlier) {
   // Complete the panel's sections from the scene's
   refuseShared(panel);
@@ -144,18 +142,13 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file,
   merged.readTable(fields);
 
   // Check what several sections decide together
-  takeClock(clock, result.simulation);
   checkPanel(panel, merged, result);
-  takeContent(meshes, result.solid.mesh);
-  placeParticles(merged, result);
-  settleSpin(merged, result);
   return result;
 }
 
 }  // namespace
 
-std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              const physics::SimulationSettings& clock, const MeshFiles& meshes) {
+std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file) {
   const auto tables = panels.tables("tables with the header [[panel]]");
   if (tables.size() < kMinPanels || tables.size() > kMaxPanels) {
     panels.fail("a scene has " + std::to_string(kMinPanels) + " to " + std::to_string(kMaxPanels) +
@@ -164,10 +157,16 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
   std::vector<Panel> result;
   document::Problems problems;
   for (const ValueReader& table : tables) {
-    problems.note([&] { result.push_back(readPanel(table, file, clock, meshes, result)); });
+    problems.note([&] { result.push_back(readPanel(table, file, result)); });
   }
   problems.throwIfAny();
   return result;
+}
+
+std::vector<TomlNode> mergedPanels(const ValueReader& panels, const ValueReader& file) {
+  std::vector<TomlNode> merged;
+  for (const ValueReader& table : panels.tables("")) merged.push_back(mergedPanel(table, file));
+  return merged;
 }
 
 }  // namespace rotatebook::scene

@@ -140,11 +140,6 @@ std::span<const Section<Motion>> motionSections() {
   return sections;
 }
 
-void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings) {
-  settings.timePerFrame = clock.timePerFrame;
-  settings.substepped = clock.substepped;
-}
-
 std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed) {
   return lineOf(*std::ranges::find_if(simulationKeys(), isTimePerFrame), settings, printed);
 }

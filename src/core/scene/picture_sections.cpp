@@ -36,13 +36,14 @@ std::string reasonForAbsence(Overlay overlay, const Scene& scene) {
     const auto isOfParticles = [](const Panel& panel) {
       return panel.simulation.model == physics::Model::Particles;
     };
-    if (std::ranges::any_of(motionsOf(scene), isOfParticles))
+    if (std::ranges::any_of(scene.motions, isOfParticles))
       return name + " are drawn between eight particles; set simulation.particles to \"corners\" " +
              "or \"equimomental\"";
     return name + " exist only in the particles model; " +
-           (scene.panels.empty()
-                ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))
-                : "no panel of this scene has it");
+           (scene.hasPanels()
+                ? "no panel of this scene has it"
+                : "this scene's is " +
+                      std::string(nameOf(kModels, scene.motions[0].simulation.model)));
   }
   return name + " shows how far a motion is from the exact one, and this scene's is the exact one";
 }
@@ -73,11 +74,11 @@ void refusePosterAfterEnd(const ValueReader& section) {
 }
 
 /// Returns [clip], of which all is said that is wrong.
-Section<Scene> clipSection() {
-  auto clip = section<Scene>("clip", &Scene::clip, clipKeys(), checkFrames);
-  clip.read = [read = clip.read](const ValueReader& value, Scene& scene) {
+Section<Spec> clipSection() {
+  auto clip = section<Spec>("clip", &Spec::clip, clipKeys(), checkFrames);
+  clip.read = [read = clip.read](const ValueReader& value, Spec& spec) {
     document::Problems problems;
-    problems.note([&] { read(value, scene); });
+    problems.note([&] { read(value, spec); });
     if (!problems.all().empty()) problems.note([&] { refusePosterAfterEnd(value); });
     problems.throwIfAny();
   };
@@ -86,36 +87,35 @@ Section<Scene> clipSection() {
 
 }  // namespace
 
-std::span<const Section<Scene>> pictureSections() {
-  static const std::vector<Section<Scene>> sections{
+std::span<const Section<Spec>> pictureSections() {
+  static const std::vector<Section<Spec>> sections{
       clipSection(),
-      section<Scene>("video", &Scene::video, videoKeys()),
-      section<Scene>("camera", &Scene::camera, cameraKeys()),
-      section<Scene>("book", &Scene::book, bookKeys()),
-      section<Scene>("look", &Scene::look, lookKeys()),
-      section<Scene>("overlay", &Scene::overlay, overlayKeys()),
+      section<Spec>("video", &Spec::video, videoKeys()),
+      section<Spec>("camera", &Spec::camera, cameraKeys()),
+      section<Spec>("book", &Spec::book, bookKeys()),
+      section<Spec>("look", &Spec::look, lookKeys()),
+      section<Spec>("overlay", &Spec::overlay, overlayKeys()),
   };
   return sections;
 }
 
 void checkOverlays(const ValueReader& section, const Scene& scene) {
   const std::vector<Overlay>& show = scene.overlay.show;
-  const std::vector<Panel> motions = motionsOf(scene);
   for (std::size_t i = 0; i < show.size(); ++i) {
     const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation, show[i]); };
-    if (std::ranges::any_of(motions, hasIt)) continue;
+    if (std::ranges::any_of(scene.motions, hasIt)) continue;
     const auto names = section.find("show")->elements(show.size(), "a list of overlays");
     names[i].fail(names[i].name() + ": " + reasonForAbsence(show[i], scene));
   }
 }
 
-void checkCamera(const ValueReader& section, const CameraSettings& camera) {
-  const Eigen::Vector3d view = camera.target - camera.position;
+void checkCamera(const ValueReader& section, const Scene& scene) {
+  const Eigen::Vector3d view = scene.camera.target - scene.cameraPosition;
   if (view.norm() < kMinDistance) {
     failAtFirst(section, {"position", "target"},
                 "camera.position and camera.target must be different points");
   }
-  const double sine = view.stableNormalized().cross(camera.up.stableNormalized()).norm();
+  const double sine = view.stableNormalized().cross(scene.camera.up.stableNormalized()).norm();
   if (sine < kMinSine) {
     failAtFirst(
         section, {"up", "position", "target"},

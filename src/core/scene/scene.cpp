@@ -10,25 +10,18 @@ namespace rotatebook::scene {
 
 const std::size_t kSceneSize = sizeof(Scene);
 
-std::vector<Panel> motionsOf(const Scene& scene) {
-  requireSameLayout();
-  if (!scene.panels.empty()) return scene.panels;
-  return {{{scene}, ""}};
-}
-
-bool hasEvenTimes(const Scene& scene) {
+bool hasEvenTimes(const Spec& scene) {
   return !scene.clip.speed || scene.clip.speed->stretches.empty();
 }
 
 double timeAt(const Scene& scene, double frame) {
-  if (hasEvenTimes(scene)) return frame * scene.simulation.timePerFrame;
+  if (hasEvenTimes(scene)) return frame * scene.timePerFrame();
   return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period(), scene.clip.duration);
 }
 
 double speedAt(const Scene& scene, double frame) {
   const double period = scene.clip.frameRate.period();
-  return scene.clip.speed ? scene.clip.speed->at(frame * period)
-                          : scene.simulation.timePerFrame / period;
+  return scene.clip.speed ? scene.clip.speed->at(frame * period) : scene.timePerFrame() / period;
 }
 
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion) {
@@ -41,7 +34,7 @@ std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
                             const physics::MotionSettings& motion) {
   const std::int64_t frames = scene.clip.frameCount();
   if (!study.duration && !study.interval) return frames;
-  const double clip = static_cast<double>(frames - 1) * scene.simulation.timePerFrame;
+  const double clip = static_cast<double>(frames - 1) * scene.timePerFrame();
   const double intervals = study.duration.value_or(clip) / motion.simulation.timePerFrame;
   constexpr double kRounding = 1e-9;  // 0.3 / 0.1 is less than 3
   constexpr double kMany = 1e15;
@@ -54,13 +47,12 @@ std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t sa
 }
 
 Scene withMotion(Scene scene, const Motion& motion) {
-  scene.panels.clear();
   scene.grid.reset();
-  static_cast<Motion&>(scene) = motion;
+  scene.motions = {{motion, ""}};
   return scene;
 }
 
-bool isTransparent(const Scene& scene) {
+bool isTransparent(const Spec& scene) {
   return scene.look.background == Background::Transparent;
 }
 
@@ -76,9 +68,9 @@ double sineOfView(double fieldOfViewDeg, int width, int height) {
 
 }  // namespace
 
-double radiusInView(const CameraSettings& camera, int width, int height) {
-  return (camera.position - camera.target).norm() *
-         sineOfView(camera.fieldOfViewDeg, width, height);
+double radiusInView(const Scene& scene, int width, int height) {
+  return (scene.cameraPosition - scene.camera.target).norm() *
+         sineOfView(scene.camera.fieldOfViewDeg, width, height);
 }
 
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,

@@ -1,4 +1,4 @@
-// A scene: everything a clip depends on, as a plain value.
+// A scene: what its file states, and what follows from that.
 #pragma once
 
 #include <cstdint>
@@ -69,8 +69,9 @@ enum class Fit {
 
 /// [camera]: a perspective camera.
 struct CameraSettings {
-  Eigen::Vector3d position{0, 0, 1};  ///< [m]
-  Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture. [m]
+  /// Without it, Scene::cameraPosition is such that the whole body is seen. [m]
+  std::optional<Eigen::Vector3d> position{};
+  Eigen::Vector3d target{0, 0, 0};  ///< The point in the middle of the picture. [m]
   Eigen::Vector3d up{0, 1, 0};
   /// Angle of view from the picture's bottom to its top, 1 to 170; in panels, over the shorter
   /// side. [degrees]
@@ -142,22 +143,26 @@ struct Panel : Motion {
   friend bool operator==(const Panel&, const Panel&) = default;
 };
 
+/// A run of a study.
+struct StudyRun {
+  std::string value;  ///< The label of the value.
+  std::string curve;  ///< The label of the curve; empty if there is no second key.
+  physics::MotionSettings motion;
+
+  friend bool operator==(const StudyRun&, const StudyRun&) = default;
+};
+
 /// The name of the texture or font that ships with the program.
 inline constexpr const char* kBuiltin = "builtin";
 
-/// A scene with every default made explicit. With panels, which have taken their missing keys from
-/// the scene's own motion, only the timePerFrame of that motion is used. The panels of a grid
-/// follow from that motion and the grid.
-struct Scene : Motion {
+/// A scene as its file states it, and nothing that follows: the numbers of a body that is a solid,
+/// the vector of a spin about an axis, places of particles, and, with clip.speed, timePerFrame keep
+/// their defaults.
+struct Spec {
   std::string name;              ///< The scene file's stem; outputs are named after it.
   std::filesystem::path folder;  ///< Folder of the scene's file; textures are found from here.
   /// The file that overlay.words names; empty if it names none.
   std::filesystem::path wordsFile;
-  /// Allows textures outside `folder`. Set by whoever reads the scene, never by its file.
-  bool allowOutside = false;
-  /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws the
-  /// scene, never by its file.
-  bool textless = false;
   std::string title;
   std::string caption;
   ClipSettings clip;
@@ -166,7 +171,10 @@ struct Scene : Motion {
   BookSettings book;
   LookSettings look;
   OverlaySettings overlay;
-  std::vector<Panel> panels;  ///< None, or 2 to 6; with a grid one for each cell, row by row.
+  /// What all panels, cells and runs have in common; not complete with panels.
+  Motion motion;
+  /// None, or 2 to 6, which have taken from `motion` what they don't state.
+  std::vector<Panel> panels;
   std::optional<GridSettings> grid;
   std::optional<StudySettings> study;
   std::optional<MapSettings> map;
@@ -174,21 +182,37 @@ struct Scene : Motion {
   /// such as "overlay.font". See scene/source_locations.h.
   std::map<std::string, std::string, std::less<>> locations;
 
+  friend bool operator==(const Spec&, const Spec&) = default;
+};
+
+/// A scene with what follows from its Spec, computed once.
+struct Scene : Spec {
+  /// The motions side by side: of the panels, of the grid's cells row by row, or a single one
+  /// without a label. They have one timePerFrame.
+  std::vector<Panel> motions{Panel{}};
+  std::vector<StudyRun> runs;  ///< Of the study, curve by curve, each in the order of the values.
+  Eigen::Vector3d cameraPosition{0, 0, 1};  ///< [m]
+  /// Allows textures outside `folder`. Set by whoever reads the scene.
+  bool allowOutside = false;
+  /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws it.
+  bool textless = false;
+
+  /// Returns whether there are several motions, of panels or of a grid.
+  bool hasPanels() const { return motions.size() > 1; }
+  /// Returns the simulated time from a frame to the next, unless the speed changes. [s]
+  double timePerFrame() const { return motions.front().simulation.timePerFrame; }
   friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// Returns whether the scene's pictures have an alpha channel, which is to be kept.
-bool isTransparent(const Scene& scene);
+bool isTransparent(const Spec& scene);
 
-/// Returns all motions of a scene: its panels, or the scene itself as the only one, without a
-/// label.
-std::vector<Panel> motionsOf(const Scene& scene);
 /// Returns the simulated time that `frame` of the clip shows, >= 0; of a part of a frame, too. [s]
 double timeAt(const Scene& scene, double frame);
 /// Returns the stated speed of the motion in `frame`, in simulated time over time of video, >= 0.
 double speedAt(const Scene& scene, double frame);
 /// Returns whether the times of the clip's frames are even.
-bool hasEvenTimes(const Scene& scene);
+bool hasEvenTimes(const Spec& scene);
 /// Has samples taken of `motion` as `study` asks for, by the same steps.
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion);
 /// Returns the number of samples that `study` takes of a motion, >= 1: one for each frame of the
@@ -206,7 +230,7 @@ bool shows(const Scene& scene, Overlay overlay);
 
 /// Returns the radius of the largest sphere around the camera's target that a picture of this shape
 /// shows whole. [m]
-double radiusInView(const CameraSettings& camera, int width, int height);
+double radiusInView(const Scene& scene, int width, int height);
 
 /// The size of what the default camera shows around a body, in sizes of the body.
 inline constexpr double kRoomAround = 1.08;

@@ -18,20 +18,33 @@ std::string panelsText(const std::vector<Panel>& panels, Printed printed) {
   return text;
 }
 
+/// Returns the scene's Spec with every default explicit.
+Spec explicitSpec(const Scene& scene) {
+  Spec spec = scene;
+  spec.camera.position = scene.cameraPosition;
+  if (!spec.panels.empty()) {
+    spec.panels = scene.motions;
+  } else if (!spec.grid) {
+    spec.motion = scene.motions.front();
+  }
+  return spec;
+}
+
 /// Returns the text of all sections but those of runs, [study] and [map].
 std::string clipText(const Scene& scene, Printed printed) {
   const auto sections = motionSections();
-  // The panels of a grid follow from it.
-  const bool alone = scene.panels.empty() || scene.grid;
-  std::string text = linesOf(titleKeys(), scene, printed);
-  if (alone) text += textOf(sections.first(2), scene, printed);
-  const std::string timePerFrame = timePerFrameLine(scene.simulation, printed);
-  if (!alone && !timePerFrame.empty()) text += "\n[simulation]\n";
-  text += timePerFrame;
-  if (alone) text += textOf(sections.subspan(2, 2), scene, printed);  // [initial] and [[nudge]]
-  text += textOf(pictureSections(), scene, printed);
-  text += alone ? textOf(sections.last(1), scene, printed) : panelsText(scene.panels, printed);
-  return text + gridText(scene, printed);
+  const Spec spec = explicitSpec(scene);
+  const bool alone = spec.panels.empty();
+  std::string text = linesOf(titleKeys(), spec, printed);
+  if (alone) text += textOf(sections.first(2), spec.motion, printed);
+  if (!spec.clip.speed) {
+    if (!alone) text += "\n[simulation]\n";
+    text += timePerFrameLine(spec.motion.simulation, printed);
+  }
+  if (alone) text += textOf(sections.subspan(2, 2), spec.motion, printed);  // [initial], [[nudge]]
+  text += textOf(pictureSections(), spec, printed);
+  text += alone ? textOf(sections.last(1), spec.motion, printed) : panelsText(spec.panels, printed);
+  return text + gridText(spec, printed);
 }
 
 }  // namespace

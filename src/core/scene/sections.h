@@ -13,6 +13,7 @@
 #include "scene/keys/section.h"
 #include "scene/names.h"
 #include "scene/scene.h"
+#include "scene/settled_motion.h"
 
 namespace rotatebook::scene {
 
@@ -52,38 +53,42 @@ inline constexpr std::array<document::Alternatives, 2> kMotionAlternatives{
 std::span<const Section<Motion>> motionSections();
 /// Returns the sections about how a scene shows its motions. Left to the caller is the default of
 /// camera.position, which depends on [body] and [clip].
-std::span<const Section<Scene>> pictureSections();
+std::span<const Section<Spec>> pictureSections();
 
-/// Returns the line of simulation.time_per_frame, if clip.speed doesn't say it.
+/// Returns the line of simulation.time_per_frame.
 std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed);
 
 /// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
-/// is taken from the sections of `file`, the whole scene file, or else from the defaults. All
-/// panels have the timePerFrame and substepped of `clock`, and surfaces of `meshes`. Throws
+/// is taken from the sections of `file`, the whole scene file, or else from the defaults. Throws
 /// InputError.
-std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              const physics::SimulationSettings& clock, const MeshFiles& meshes);
-/// Takes the timePerFrame and substepped of `clock`.
-void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings);
+std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file);
+/// Returns, for each of the panels, all keys that it and the scene have for it. Every value keeps
+/// its location.
+std::vector<document::TomlNode> mergedPanels(const ValueReader& panels, const ValueReader& file);
 
-/// Reads `section`, [grid] of `file`, into `scene`, whose other motion sections and timePerFrame
-/// must be read already; each cell becomes one of its panels. Throws InputError.
-void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene);
+/// Reads `section`, [grid] of `file`. Throws InputError.
+GridSettings readGrid(const ValueReader& section, const ValueReader& file);
+/// Returns the motions of the cells of the scene's grid, row by row; `file` is what the scene was
+/// read from. Throws InputError.
+std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shared& shared);
 /// Returns [grid] as TOML; empty for a scene without one.
-std::string gridText(const Scene& scene, Printed printed);
+std::string gridText(const Spec& spec, Printed printed);
 
-/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
-/// because it decides what a study may vary. A section without a measure is of the orders of all
-/// the model's integrators. Throws InputError.
-void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
+/// Reads `section`, [study], of a scene that is read but for it. A section without a measure is of
+/// the orders of all the model's integrators. Throws InputError.
+StudySettings readStudy(const ValueReader& section, const Spec& spec);
+/// Returns the runs of the scene's study; `file` is what the scene was read from. Throws
+/// InputError.
+std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, const Shared& shared);
 /// Returns [study] as TOML; empty for a scene without a study.
-std::string studyText(const Scene& scene);
+std::string studyText(const Spec& spec);
 
-/// Reads `section`, [map], into `scene`, the rest of which must be read already, because it decides
-/// what a map may vary. Throws InputError.
-void readMap(const ValueReader& section, Scene& scene);
+/// Reads `section`, [map]. Throws InputError.
+MapSettings readMap(const ValueReader& section);
+/// Throws InputError if the scene's motions don't take what its map, `section`, varies or measures.
+void checkMap(const ValueReader& section, const Scene& scene);
 /// Returns [map] as TOML; empty for a scene without a map.
-std::string mapText(const Scene& scene, Printed printed);
+std::string mapText(const Spec& spec, Printed printed);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);
@@ -102,8 +107,8 @@ void checkOverlays(const ValueReader& section, const Scene& scene);
 /// Throws InputError if a scene that is read completely takes more than kMaxSteps; `file` is its
 /// whole file.
 void checkSteps(const ValueReader& file, const Scene& scene);
-/// Throws InputError if a complete camera has no direction of view, or one parallel to `up`;
+/// Throws InputError if the camera has no direction of view, or one parallel to `up`;
 /// `section` is [camera].
-void checkCamera(const ValueReader& section, const CameraSettings& camera);
+void checkCamera(const ValueReader& section, const Scene& scene);
 
 }  // namespace rotatebook::scene

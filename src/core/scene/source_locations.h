@@ -11,7 +11,7 @@
 
 namespace rotatebook::scene {
 
-/// The keys that Scene::locations may have, sections before a dot, besides those of labelKey()
+/// The keys that Spec::locations may have, sections before a dot, besides those of labelKey()
 /// and recordingKey().
 inline constexpr std::string_view kLocatedKeys[] = {
     "title",      "caption",    "body",      "panel",        "grid",
@@ -29,7 +29,7 @@ inline std::string recordingKey(std::size_t panel) {
 
 /// Returns the location where the scene states `key`, "FILE:LINE:COLUMN" or "--set KEY=VALUE"; the
 /// scene's name if it doesn't state it.
-inline std::string locationOf(const Scene& scene, std::string_view key) {
+inline std::string locationOf(const Spec& scene, std::string_view key) {
   const auto location = scene.locations.find(key);
   return location == scene.locations.end() ? scene.name : location->second;
 }
@@ -37,7 +37,7 @@ inline std::string locationOf(const Scene& scene, std::string_view key) {
 /// Returns what `work` returns. Throws an InputError of it again as "LOCATION: PROBLEM", with the
 /// location of `key`.
 template <std::invocable Work>
-auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {
+auto atLocationOf(const Spec& scene, std::string_view key, const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {

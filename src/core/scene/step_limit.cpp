@@ -41,15 +41,15 @@ double stepsOf(const physics::SimulationSettings& settings, const Sampling& samp
 double stepsOf(const Scene& scene) {
   const Sampling sampling = samplingOf(scene);
   double steps = 0;
-  for (const Panel& panel : motionsOf(scene)) steps += stepsOf(panel.simulation, sampling);
+  for (const Panel& panel : scene.motions) steps += stepsOf(panel.simulation, sampling);
   return steps;
 }
 
-/// Returns the steps of all runs of a study.
-double stepsOf(const StudySettings& study, const Scene& scene) {
+/// Returns the steps of all runs of the scene's study.
+double stepsOfRuns(const Scene& scene) {
   double steps = 0;
-  for (const auto& [value, curve, motion] : study.runs) {
-    const auto samples = static_cast<double>(studiedSamples(scene, study, motion));
+  for (const auto& [value, curve, motion] : scene.runs) {
+    const auto samples = static_cast<double>(studiedSamples(scene, *scene.study, motion));
     steps += stepsOf(motion.simulation, {samples, samples * motion.simulation.timePerFrame, true});
   }
   return steps;
@@ -91,7 +91,7 @@ void checkSteps(const ValueReader& file, const Scene& scene) {
              "lower simulation.substeps or clip.duration, or state a longer simulation.step");
   const auto study = file.find("study");
   if (!study) return;
-  refuseMany(stepsOf(*scene.study, scene), "the study takes", study->find("x").value_or(*study),
+  refuseMany(stepsOfRuns(scene), "the study takes", study->find("x").value_or(*study),
              "make fewer runs, or shorter ones");
 }
 

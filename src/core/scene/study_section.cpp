@@ -50,15 +50,15 @@ TomlNode completed(const ValueReader& section, physics::Model model) {
   return whole;
 }
 
-void addCurve(const TomlNode& sections, const VariedKey& x, const std::string& curve,
-              Scene& scene) {
-  const VariedMotions motions(sections, scene, x, curve.empty() ? &scene : nullptr);
+/// Adds the motions of a curve to `runs`.
+void addCurve(const VariedMotions& motions, const VariedKey& x, const std::string& curve,
+              const StudySettings& study, std::vector<StudyRun>& runs) {
   document::Problems problems;
   for (const StatedValue& value : x.values) {
     problems.note([&] {
       physics::MotionSettings motion = motions.with(value);
-      sampleAsAsked(*scene.study, motion);
-      scene.study->runs.push_back({value.value.label, curve, std::move(motion)});
+      sampleAsAsked(study, motion);
+      runs.push_back({value.value.label, curve, std::move(motion)});
     });
   }
   problems.throwIfAny();
@@ -72,12 +72,16 @@ void refuseManyRuns(const ValueReader& section, const StudySettings& study) {
                std::to_string(kMaxRuns));
 }
 
-void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene) {
-  refuseManyRuns(section, *scene.study);
+std::vector<StudyRun> makeRuns(const ValueReader& section, const ValueReader& file,
+                               const Scene& scene, const Shared& shared) {
+  std::vector<StudyRun> runs;
   const VariedKey x = variedKeyFrom(*section.find("x"), file);
   const TomlNode sections = motionPart(file);
   const auto curves = section.find("curves");
-  if (!curves) return addCurve(sections, x, "", scene);
+  if (!curves) {
+    addCurve({sections, shared, x, &scene.motions.front()}, x, "", *scene.study, runs);
+    return runs;
+  }
   const VariedKey second = variedKeyFrom(*curves, file);
   if (second.path == x.path) {
     second.key.fail(second.key.name() + " is study.x.key, too; name another key");
@@ -87,16 +91,18 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
     problems.note([&] {
       TomlNode varied = sections;
       put(varied, second, value);
-      addCurve(varied, x, value.value.label, scene);
+      addCurve({varied, shared, x}, x, value.value.label, *scene.study, runs);
     });
   }
   problems.throwIfAny();
+  return runs;
 }
 
 /// Throws InputError if the study varies what none of its models has.
-void refuseUnusedKeys(const ValueReader& section, const StudySettings& study) {
+void refuseUnusedKeys(const ValueReader& section, const StudySettings& study,
+                      const std::vector<StudyRun>& runs) {
   std::vector<physics::Model> models;
-  for (const StudyRun& run : study.runs) models.push_back(run.motion.simulation.model);
+  for (const StudyRun& run : runs) models.push_back(run.motion.simulation.model);
   refuseUnused(*section.find("x", "key"), study.x.key, models, "runs");
   if (study.curves) refuseUnused(*section.find("curves", "key"), study.curves->key, models, "runs");
 }
@@ -127,10 +133,11 @@ void checkExpected(const ValueReader& section, const StudySettings& study) {
 }
 
 /// Throws InputError if an order can't be found: without steps, or with the same ones twice.
-void checkOrders(const ValueReader& section, const StudySettings& study) {
+void checkOrders(const ValueReader& section, const StudySettings& study,
+                 const std::vector<StudyRun>& runs) {
   if (std::ranges::count(study.measures, Measure::Order) == 0) return;
   std::set<std::pair<std::string, double>> steps;
-  for (const StudyRun& run : study.runs) {
+  for (const StudyRun& run : runs) {
     const physics::SimulationSettings& simulation = run.motion.simulation;
     const std::string reason = reasonForAbsence(Measure::Order, simulation.model);
     if (!reason.empty()) section.find("measure")->fail("study.measure has order: " + reason);
@@ -144,8 +151,9 @@ void checkOrders(const ValueReader& section, const StudySettings& study) {
 }
 
 /// Throws InputError if the study takes too many samples of a motion, or too few.
-void checkSamples(const ValueReader& section, const Scene& scene) {
-  for (const StudyRun& run : scene.study->runs) {
+void checkSamples(const ValueReader& section, const Scene& scene,
+                  const std::vector<StudyRun>& runs) {
+  for (const StudyRun& run : runs) {
     const std::int64_t samples = studiedSamples(scene, *scene.study, run.motion);
     if (samples < 2) {
       section.fail(
@@ -162,25 +170,34 @@ void checkSamples(const ValueReader& section, const Scene& scene) {
 
 }  // namespace
 
-void readStudy(const ValueReader& stated, const ValueReader& file, Scene& scene) {
-  if (!scene.panels.empty()) {
+StudySettings readStudy(const ValueReader& stated, const Spec& spec) {
+  if (!spec.panels.empty() || spec.grid) {
     stated.fail("[study] needs a single motion, but this scene has several, panels or a grid");
   }
-  const TomlNode whole = completed(stated, scene.simulation.model);
+  const TomlNode whole = completed(stated, spec.motion.simulation.model);
   const ValueReader section(whole, stated.name());
-  StudySettings& study = scene.study.emplace();
+  StudySettings study;
   readKeys(section, studyKeys(), study);
   refuseIntervals(section, study);
-  makeRuns(section, file, scene);
-  refuseUnusedKeys(section, study);
+  refuseManyRuns(section, study);
   checkExpected(section, study);
-  checkOrders(section, study);
-  checkSamples(section, scene);
+  return study;
 }
 
-std::string studyText(const Scene& scene) {
-  if (!scene.study) return "";
-  return "\n[study]\n" + linesOf(studyKeys(), *scene.study);
+std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, const Shared& shared) {
+  const ValueReader stated = *file.find("study");
+  const TomlNode whole = completed(stated, scene.motion.simulation.model);
+  const ValueReader section(whole, stated.name());
+  std::vector<StudyRun> runs = makeRuns(section, file, scene, shared);
+  refuseUnusedKeys(section, *scene.study, runs);
+  checkOrders(section, *scene.study, runs);
+  checkSamples(section, scene, runs);
+  return runs;
+}
+
+std::string studyText(const Spec& spec) {
+  if (!spec.study) return "";
+  return "\n[study]\n" + linesOf(studyKeys(), *spec.study);
 }
 
 }  // namespace rotatebook::scene

@@ -5,20 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/motion_settings.h"
 #include "scene/axis.h"
 #include "scene/expectation.h"
 
 namespace rotatebook::scene {
-
-/// A run of a study.
-struct StudyRun {
-  std::string value;  ///< The label of the value.
-  std::string curve;  ///< The label of the curve; empty if there is no second key.
-  physics::MotionSettings motion;
-
-  friend bool operator==(const StudyRun&, const StudyRun&) = default;
-};
 
 /// Runs of the scene's motion with other values of one key, or of two.
 struct StudySettings {
@@ -32,7 +22,6 @@ struct StudySettings {
   /// Time between samples, whatever the steps, in place of SimulationSettings::timePerFrame; > 0.
   /// [s]
   std::optional<double> interval{};
-  std::vector<StudyRun> runs{};  ///< Curve by curve, each in the order of the values.
 
   friend bool operator==(const StudySettings&, const StudySettings&) = default;
 };

@@ -11,9 +11,7 @@
 #include "base/nearest_name.h"
 #include "scene/key_rows.h"
 #include "scene/names.h"
-#include "scene/placed_particles.h"
 #include "scene/sections.h"
-#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -89,13 +87,13 @@ void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
   putValue(sections, key.path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
-VariedMotions::VariedMotions(const TomlNode& sections, const Motion& scene, const VariedKey& key,
+VariedMotions::VariedMotions(const TomlNode& sections, const Shared& shared, const VariedKey& key,
                              const Motion* known)
-    : sections_(sections), scene_(scene), key_(key) {
+    : sections_(sections), shared_(shared), key_(key) {
   if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
   // Without a motion of its own, whatever is wrong is found with the first value
   try {
-    base_ = known != nullptr ? *known : motionFrom(sections, scene);
+    base_ = known != nullptr ? *known : motionFrom(sections, shared);
   } catch (const InputError&) {
     return;
   }
@@ -113,20 +111,17 @@ Motion VariedMotions::with(const StatedValue& value) const {
   }
   TomlNode varied = sections_;
   put(varied, key_, value);
-  return motionFrom(varied, scene_);
+  return motionFrom(varied, shared_);
 }
 
-Motion motionFrom(const TomlNode& sections, const Motion& scene) {
+Motion motionFrom(const TomlNode& sections, const Shared& shared) {
   const ValueReader file(sections, "");
   Motion motion;
-  takeClock(scene.simulation, motion.simulation);
   std::vector<document::Field> fields;
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
-  takeContent(scene.solid.mesh, motion.solid.mesh);
-  placeParticles(file, motion);
-  settleSpin(file, motion);
+  settle(file, shared, motion);
   return motion;
 }
 

@@ -10,6 +10,7 @@
 #include "base/document/value_reader.h"
 #include "scene/keys/axis_keys.h"
 #include "scene/scene.h"
+#include "scene/settled_motion.h"
 
 namespace rotatebook::scene {
 
@@ -51,7 +52,7 @@ class VariedMotions {
  public:
   /// Takes what motionFrom() takes, without the key's values, and the key; they must outlive this.
   /// `known` is the motion of `sections` if that is at hand, or null.
-  VariedMotions(const document::TomlNode& sections, const Motion& scene, const VariedKey& key,
+  VariedMotions(const document::TomlNode& sections, const Shared& shared, const VariedKey& key,
                 const Motion* known = nullptr);
 
   /// Returns the motion with that value of the key. Throws InputError.
@@ -59,15 +60,14 @@ class VariedMotions {
 
  private:
   const document::TomlNode& sections_;
-  const Motion& scene_;
+  const Shared& shared_;
   const VariedKey& key_;
   /// The motion without the values, where nothing but its start follows from them: its body, and
   /// what holds its particles together, is settled once.
   std::optional<Motion> base_{};
 };
 
-/// Reads and checks a motion with the clock of `scene`, as takeClock() takes it, unless `sections`
-/// state another, and its mesh's surface. Throws InputError.
-Motion motionFrom(const document::TomlNode& sections, const Motion& scene);
+/// Reads, checks and settles a motion. Throws InputError.
+Motion motionFrom(const document::TomlNode& sections, const Shared& shared);
 
 }  // namespace rotatebook::scene

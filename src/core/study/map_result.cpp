@@ -97,7 +97,7 @@ std::string ExpectedOfMap::subject() const {
 
 MapResult emptyResult(const scene::Scene& scene, const MapRuns& runs) {
   MapResult result;
-  for (const scene::Panel& panel : motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     result.labels.push_back(panel.label);
     result.values.emplace_back(static_cast<std::size_t>(scene.map->runs()), kRefused);
   }

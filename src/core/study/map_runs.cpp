@@ -52,8 +52,7 @@ struct PanelRuns {
 double durationOf(const scene::Scene& scene) {
   const MapSettings& map = *scene.map;
   if (map.timeAxis() != nullptr) return map.timeAxis()->to;
-  const double clip =
-      static_cast<double>(scene.clip.frameCount() - 1) * scene.simulation.timePerFrame;
+  const double clip = static_cast<double>(scene.clip.frameCount() - 1) * scene.timePerFrame();
   return map.duration.value_or(clip);
 }
 
@@ -159,7 +158,7 @@ MapRuns::MapRuns(const scene::Scene& scene)
     : parts_(std::make_unique<Parts>(
           Parts{*scene.map, {scene.map->measure, scene.map->moment, durationOf(scene)}})) {
   requireSameLayout();
-  for (const scene::Panel& panel : motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     parts_->panels.push_back({MapPoints(panel.motion(), *scene.map), scene.map->interval});
   }
 }

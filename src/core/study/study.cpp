@@ -67,12 +67,12 @@ std::optional<Study> runStudy(const scene::Scene& scene, const Execution& execut
   requireSameLayout();
   const StudySettings& study = *scene.study;
   std::vector<MotionSettings> motions;
-  for (const scene::StudyRun& run : study.runs) motions.push_back(run.motion);
+  for (const scene::StudyRun& run : scene.runs) motions.push_back(run.motion);
   Study result;
-  result.rows.resize(study.runs.size());
+  result.rows.resize(scene.runs.size());
   const auto run = [&](std::size_t i) {
     const std::int64_t samples = studiedSamples(scene, study, motions[i]);
-    result.rows[i] = runOne(study.runs[i], study, samples, execution);
+    result.rows[i] = runOne(scene.runs[i], study, samples, execution);
   };
   if (!makeRuns(motions, run, execution)) return std::nullopt;
   result.orders = ordersOf(result.rows, study);

@@ -20,9 +20,9 @@ double reachOf(const physics::Cage& cage) {
 double roomFor(const scene::Scene& scene, const physics::Cuboid& body, double targetDistance,
                double share) {
   // In panels the angle of view is over the shorter side.
-  const bool panels = !scene.panels.empty();
+  const bool panels = scene.hasPanels();
   const double inView =
-      radiusInView(scene.camera, panels ? 1 : scene.clip.width, panels ? 1 : scene.clip.height);
+      radiusInView(scene, panels ? 1 : scene.clip.width, panels ? 1 : scene.clip.height);
   return std::max(share * inView, scene::kRoomAround * (targetDistance + reachOf(body.corners())));
 }
 
@@ -76,11 +76,11 @@ std::vector<double> sharesOf(const std::vector<scene::Panel>& panels) {
 }  // namespace
 
 double distanceAtRest(const scene::Scene& scene, std::size_t motion) {
-  return scene.camera.fit == scene::Fit::Each ? sharesOf(scene::motionsOf(scene))[motion] : 1;
+  return scene.camera.fit == scene::Fit::Each ? sharesOf(scene.motions)[motion] : 1;
 }
 
 CameraDistances::CameraDistances(const scene::Scene& scene, const ClipMotion& motion) {
-  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& panels = scene.motions;
   if (scene.camera.fit == scene::Fit::Each) shares_ = sharesOf(panels);
   if (scene.camera.follow == scene::Follow::None) return;
   for (std::size_t i = 0; i < panels.size(); ++i) {

@@ -62,7 +62,7 @@ class Listener {
 
 std::vector<ClipEvent> eventsOf(const scene::Scene& scene, const ClipMotion& motion) {
   std::vector<ClipEvent> events;
-  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& panels = scene.motions;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::vector<ClipEvent> own =
         Listener(panels[i], motion.trajectories()[i], motion.frameCount()).listen();

@@ -67,7 +67,7 @@ std::set<std::size_t> plottedIn(const scene::Scene& scene, std::size_t motions) 
 }
 
 std::string plotsJson(const scene::Scene& scene, const ClipMotion& motion) {
-  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& panels = scene.motions;
   JsonObject plots;
   plots.addNumber("interval", motion.trajectories().front().interval);
   if (!hasEvenTimes(scene)) plots.add("times", timesOf(scene, motion.frameCount()));

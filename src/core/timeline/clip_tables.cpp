@@ -54,7 +54,7 @@ std::string gridCsv(const scene::Scene& scene, const ClipMotion& motion) {
 }
 
 std::size_t tableCount(const scene::Scene& scene) {
-  return scene.grid || scene.panels.empty() ? 1 : scene.panels.size();
+  return scene.grid || !scene.hasPanels() ? 1 : scene.motions.size();
 }
 
 void writeTable(const scene::Scene& scene, const ClipMotion& motion, std::size_t index,

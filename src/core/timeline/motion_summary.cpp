@@ -66,7 +66,7 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
 std::vector<MotionSummary> summarize(const scene::Scene& scene, const ClipMotion& motion) {
   std::vector<MotionSummary> summaries;
   auto trajectory = motion.trajectories().begin();
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     summaries.push_back(summarize(panel, *trajectory++));
   }
   return summaries;

@@ -47,7 +47,7 @@ std::vector<double> flipsOf(const physics::Trajectory& trajectory);
 /// Returns what `trajectory`, simulated from `motion`, did.
 MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& trajectory);
 
-/// Returns a summary of each motion of `scene`, in the order of scene::motionsOf().
+/// Returns a summary of each motion of `scene`, in the order of Scene::motions.
 std::vector<MotionSummary> summarize(const scene::Scene& scene, const ClipMotion& motion);
 
 /// Leaves out whatever was expected.

@@ -110,7 +110,7 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
 
 std::vector<std::string> notesOn(const scene::Scene& scene) {
   std::vector<std::string> all;
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     const std::string prefix = panel.label.empty() ? "" : panel.label + ": ";
     for (const std::string& note : notesOn(panel)) all.push_back(prefix + note);
     const double end = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));

@@ -11,7 +11,7 @@ namespace {
 double verticalFieldOfView(const scene::Scene& scene, const geometry::Screen& screen) {
   const double angle = scene.camera.fieldOfViewDeg;
   const double height = screen.height - screen.bottomRows;
-  if (scene.panels.empty() || screen.width >= height) return angle;
+  if (!scene.hasPanels() || screen.width >= height) return angle;
   // In panels the scene's angle is that of the shorter side.
   constexpr double kHalf = std::numbers::pi / 360;
   return arcTangent(sine(angle * kHalf) * height, cosine(angle * kHalf) * screen.width) / kHalf;
@@ -20,7 +20,7 @@ double verticalFieldOfView(const scene::Scene& scene, const geometry::Screen& sc
 }  // namespace
 
 geometry::Camera cameraOf(const scene::Scene& scene, const geometry::Screen& screen) {
-  return {scene.camera.position, scene.camera.target, scene.camera.up,
+  return {scene.cameraPosition, scene.camera.target, scene.camera.up,
           verticalFieldOfView(scene, screen)};
 }
 

@@ -26,7 +26,7 @@ ShutterMoments::ShutterMoments(const scene::Scene& scene)
   if (count_ == 1) return;
   const int finer = 2 * scene.look.motionBlur;
   const std::vector<double> times = frameTimes(scene, finer);
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     physics::MotionSettings settings = panel.motion();
     makeShort(settings.simulation, finer);
     motions_.push_back(physics::simulate(settings, times));

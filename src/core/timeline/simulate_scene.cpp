@@ -38,7 +38,7 @@ SceneSimulation::SceneSimulation(const scene::Scene& scene)
     : rate_(scene.clip.frameRate), times_(frameTimes(scene)), isGrid_(scene.grid.has_value()) {
   requireSameLayout();
   takeNames(scene);
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     simulations_.push_back(
         named(names_[simulations_.size()], [&] { return physics::Simulation(panel.motion()); }));
   }
@@ -47,7 +47,7 @@ SceneSimulation::SceneSimulation(const scene::Scene& scene)
 
 void SceneSimulation::takeNames(const scene::Scene& scene) {
   names_.clear();
-  for (const scene::Panel& panel : scene::motionsOf(scene)) names_.push_back(nameOf(scene, panel));
+  for (const scene::Panel& panel : scene.motions) names_.push_back(nameOf(scene, panel));
 }
 
 void SceneSimulation::advance() {

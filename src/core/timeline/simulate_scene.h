@@ -17,7 +17,7 @@ namespace rotatebook::timeline {
 /// divide the frame evenly. [s]
 std::vector<double> frameTimes(const scene::Scene& scene, int parts = 1);
 
-/// A scene's motions, in the order of scene::motionsOf(), simulated frame by frame. What is thrown
+/// A scene's motions, in the order of Scene::motions, simulated frame by frame. What is thrown
 /// is as in physics::Simulation; an InputError names the scene's file and panel, too. In a grid a
 /// motion whose step can't be made ends there, like one that diverges, and the others go on.
 class SceneSimulation {

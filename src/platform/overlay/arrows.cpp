@@ -60,7 +60,7 @@ double largestVelocity(const physics::Trajectory& trajectory) {
 }
 
 void drawArrows(const View& view, const OverlayContext& context, const std::vector<Arrow>& arrows) {
-  const BodyBox box(context.scene.body, view.sample.cage);
+  const BodyBox box(context.scene.motions[0].body, view.sample.cage);
   for (const Arrow& arrow : arrows) drawArrow(view, box, arrow);
 }
 
@@ -82,7 +82,7 @@ Axes::Axes(const OverlayContext& context)
                letter(context, "z", kAxisColours[2])} {}
 
 std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
-  const physics::Cuboid& body = context_.scene.body;
+  const physics::Cuboid& body = context_.scene.motions[0].body;
   const BodyBox box(body, sample.cage);
   const double reach = reachOf(body);
   std::vector<Arrow> arrows;
@@ -106,7 +106,7 @@ void Axes::draw(const View& view) {
 }  // namespace
 
 ArrowScale::ArrowScale(const OverlayContext& context)
-    : reach_(reachOf(context.scene.body)),
+    : reach_(reachOf(context.scene.motions[0].body)),
       velocity_(largestVelocity(context.trajectory)),
       momentum_(context.trajectory.samples.front().angularMomentum.stableNorm()) {}
 

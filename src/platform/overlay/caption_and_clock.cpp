@@ -81,7 +81,7 @@ std::string steplessText(const std::vector<scene::Panel>& motions, const scene::
 /// Lists the settings that all motions of `scene` in steps have in common, and the models without
 /// steps.
 std::string settingsText(const scene::Scene& scene) {
-  const std::vector<scene::Panel> motions = scene::motionsOf(scene);
+  const std::vector<scene::Panel>& motions = scene.motions;
   const auto steps = [](const scene::Panel& panel) {
     return physics::takesSteps(panel.simulation.model);
   };

@@ -84,14 +84,14 @@ class Ghost final : public DrawnOverlay {
 };
 
 Ghost::Ghost(const OverlayContext& context)
-    : context_(context), exact_(physics::exactRotation(context.scene.motion())) {}
+    : context_(context), exact_(physics::exactRotation(context.scene.motions[0])) {}
 
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;
   const physics::Sample& sample = samples[static_cast<std::size_t>(view.frame)];
   const Eigen::Matrix3d frameFromBody = scene::frameFromWorld(context_.scene.camera.frame, sample) *
                                         exact_.at(sample.time).worldFromBody;
-  const ProjectedBox box(frameFromBody * context_.scene.body.corners(), view.projector);
+  const ProjectedBox box(frameFromBody * context_.scene.motions[0].body.corners(), view.projector);
   if (box.corners.size() < 8) return;
   for (std::size_t side = 0; side < kSides; ++side) {
     if (box.isFront[side]) view.canvas.area(box.outline(side), {kGhostColour, 0.09});

@@ -63,7 +63,7 @@ struct MotionOverlays::Parts {
   OverlayContext context() const { return {scene, trajectory, type, scale, energyTop}; }
 
   bool shows(Overlay overlay) const {
-    return scene::shows(scene, overlay) && isFor(scene.simulation, overlay);
+    return scene::shows(scene, overlay) && isFor(scene.motions[0].simulation, overlay);
   }
 
   /// Returns the rows of the overlays that are drawn at `placements`, in drawing order.
@@ -154,7 +154,7 @@ struct MotionOverlays::Parts {
 
   std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
     const physics::Sample sample = sampleAt(frame);
-    const BodyBox box(scene.body, sample.cage);
+    const BodyBox box(scene.motions[0].body, sample.cage);
     std::vector<LabelledArrow> all;
     for (const auto& overlay : inWorld) {
       for (const Arrow& arrow : overlay->arrows(sample)) {

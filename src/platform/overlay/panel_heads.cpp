@@ -129,7 +129,7 @@ struct PanelHeads::Parts {
 
   void addHead(std::size_t panel, const physics::Trajectory& motion) {
     Head& head = *heads.emplace_back(std::make_unique<Head>());
-    head.scene = scene::withMotion(scene, scene.panels[panel]);
+    head.scene = scene::withMotion(scene, scene.motions[panel]);
     head.motion = &motion;
     if (scene.textless) return;
     if (motion.divergedAt) {
@@ -141,7 +141,7 @@ struct PanelHeads::Parts {
     }
     // The values of a grid are in its margins
     if (scene.grid) return;
-    const std::string& label = scene.panels[panel].label;
+    const std::string& label = scene.motions[panel].label;
     head.label = scene::atLocationOf(scene, scene::labelKey(panel),
                                      [&] { return labelLayer(contextOf(head), label, room()); });
     mirrored = mirrored || type.isReadFromTheRight(label);
@@ -149,7 +149,7 @@ struct PanelHeads::Parts {
 
   std::unique_ptr<DrawnOverlay> countOf(const Head& head, const OverlayRow& row,
                                         const Box& box) const {
-    if (!isFor(head.scene.simulation, row.overlay)) return nullptr;
+    if (!isFor(head.scene.motions[0].simulation, row.overlay)) return nullptr;
     return makeOverlay(row.overlay, contextOf(head), box);
   }
 

@@ -110,7 +110,7 @@ namespace {
 std::vector<std::size_t> freeStarts(const OverlayContext& context) {
   std::vector<std::size_t> starts{0};
   const auto& samples = context.trajectory.samples;
-  for (const physics::Nudge& nudge : context.scene.nudges) {
+  for (const physics::Nudge& nudge : context.scene.motions[0].nudges) {
     const auto after = std::ranges::lower_bound(samples, nudge.at, {}, &physics::Sample::time);
     const auto start = static_cast<std::size_t>(after - samples.begin());
     if (after != samples.end() && start > starts.back()) starts.push_back(start);
@@ -322,7 +322,7 @@ class FreePolhode {
 class PolhodeInset final : public DrawnOverlay {
  public:
   PolhodeInset(const OverlayContext& context, const Box& box) {
-    const auto inertia = physics::modelInertia(context.scene.motion());
+    const auto inertia = physics::modelInertia(context.scene.motions[0]);
     for (const std::size_t start : freeStarts(context))
       insets_.emplace_back(context, box, inertia.moments, inertia.bodyFromPrincipal, start);
   }

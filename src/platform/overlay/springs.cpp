@@ -143,7 +143,7 @@ class Springs final : public DrawnOverlay {
 
 Springs::Springs(const OverlayContext& context, const Box& legend)
     : context_(context),
-      particles_(context.scene),
+      particles_(context.scene.motions[0]),
       range_(rangeOf(context, particles_)),
       legend_(legendOf(context, legend, range_)) {}
 

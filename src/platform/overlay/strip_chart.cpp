@@ -226,7 +226,7 @@ std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Bo
     if (level < content.high) content.ticks.push_back({level, roundedText(level, 1)});
   }
   const auto total = [](const physics::Sample& sample) { return sample.total(); };
-  if (context.scene.simulation.model == physics::Model::Particles) {
+  if (context.scene.motions[0].simulation.model == physics::Model::Particles) {
     // If book and springs tremble, both curves are bands; the springs' band is the narrower.
     content.series = {
         seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start,

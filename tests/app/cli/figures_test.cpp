@@ -208,10 +208,10 @@ TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
   const bool isRealTime = std::ranges::none_of(
       std::array{"minutes in", "days in", "slow motion"},
       [&](const char* words) { return scene.title.find(words) != std::string::npos; });
-  EXPECT_EQ(scene.simulation.timePerFrame == 1.0 / 60, isRealTime);
+  EXPECT_EQ(scene.timePerFrame() == 1.0 / 60, isRealTime);
   EXPECT_FALSE(scene.title.empty());
   EXPECT_FALSE(scene.caption.empty());
-  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+  for (const scene::Panel& motion : scene.motions) {
     EXPECT_FALSE(motion.expectations.empty());
     if (!motion.solid.isBook()) continue;
     EXPECT_GE(motion.body.size.minCoeff(), kSmallestSide);
@@ -223,7 +223,7 @@ TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
 
 TEST_P(Figure, DrawsTheCameraBackIfItBursts) {
   const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
-  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+  for (const scene::Panel& motion : scene.motions) {
     for (const scene::Expectation& expected : motion.expectations) {
       if (expected.measure != scene::Measure::DivergesAt) continue;
       EXPECT_EQ(scene.camera.follow, scene::Follow::Size);

@@ -13,9 +13,9 @@ std::vector<SceneFile> exampleFiles() {
   scene::Scene scene;
   scene.name = "a";
   scene.title = "Ω \"x\"";
-  scene.panels.resize(2);
-  scene.panels[0].label = "first";
-  scene.panels[1].label = "second";
+  scene.motions.resize(2);
+  scene.motions[0].label = "first";
+  scene.motions[1].label = "second";
   return {{.path = "dir/a.toml",
            .scene = scene,
            .frames = 815,

@@ -21,7 +21,7 @@ double errorOf(const std::vector<std::string>& overrides) {
   const scene::Scene scene = store::readScene(kStarter, overrides);
   double error = 0;
   for (const physics::Sample& sample :
-       physics::simulate(scene.motion(), scene.clip.frameCount()).samples) {
+       physics::simulate(scene.motions[0].motion(), scene.clip.frameCount()).samples) {
     error = std::max(error, sample.errorDeg);
   }
   return error;
@@ -34,7 +34,7 @@ TEST(Starter, IsTrueToTheExactMotion) {
 
 TEST(Starter, TurnsOver) {
   const scene::Scene scene = store::readScene(kStarter);
-  const auto motion = physics::simulate(scene.motion(), scene.clip.frameCount());
+  const auto motion = physics::simulate(scene.motions[0].motion(), scene.clip.frameCount());
   EXPECT_GE(motion.samples.back().halfTurns, 3);  // measured 4
 }
 

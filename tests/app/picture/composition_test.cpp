@@ -179,8 +179,9 @@ TEST(Composition, NotesOverlaysThatHaveNoRoom) {
             "in 320x240 "
             "pixels; make the picture larger, or leave them out");
   scene::Scene one = comparison({"overlay.show=['error']", "clip.size=[64, 64]"});
-  one.panels.clear();
-  one.simulation.model = physics::Model::Matrix;
+  one.motions.resize(1);
+  one.motions[0].label.clear();
+  one.motions[0].simulation.model = physics::Model::Matrix;
   EXPECT_EQ(noteOnRoom(one),
             "overlay.show has \"error\", for which a picture has no room in 64x64 pixels; make the "
             "picture larger, or leave it out");

@@ -136,7 +136,8 @@ TEST(Panels, AreNamedInWhatIsWrongWithTheirMotion) {
 
 std::vector<fs::path> filesOf(const std::vector<std::string>& labels) {
   scene::Scene scene;
-  for (const std::string& label : labels) scene.panels.emplace_back().label = label;
+  if (!labels.empty()) scene.motions.clear();
+  for (const std::string& label : labels) scene.motions.emplace_back().label = label;
   return store::csvFiles("out/a.csv", scene);
 }
 

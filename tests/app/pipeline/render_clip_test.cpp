@@ -97,7 +97,7 @@ TEST(RenderClip, StartsWithTheBookAtRest) {
   testing::render(scene, {.folder = folder, .outputs = {pngOutput()}});
   render::Renderer renderer = picture::makeRenderer(scene);
   image::Image expected = renderer.makePicture();
-  renderer.draw(scene.body.corners(), expected);
+  renderer.draw(scene.motions[0].body.corners(), expected);
   EXPECT_TRUE(sameColours(image::readPng(folder / "small" / store::frameName(0)), expected));
 }
 

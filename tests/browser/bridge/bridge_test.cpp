@@ -365,7 +365,7 @@ TEST(Bridge, HasTheProgramsCamera) {
   rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data());
   const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
   const geometry::Screen screen{1280, 720, 0};
-  const physics::Cage cage = scene.body.corners();
+  const physics::Cage cage = scene.motions[0].body.corners();
   const auto projection = geometry::project(timeline::cameraOf(scene, screen), cage, screen);
   constexpr double kBound = 1e-6;  // measured 6e-8
   const auto difference = [&] {
@@ -375,7 +375,7 @@ TEST(Bridge, HasTheProgramsCamera) {
     return (Eigen::Vector2d(here.x(), -here.y()) / here.w() - there.head<2>() / there.w()).norm();
   };
   EXPECT_LT(difference(), kBound);
-  EXPECT_NEAR(eye[2], scene.camera.position.z(), kBound);
+  EXPECT_NEAR(eye[2], scene.cameraPosition.z(), kBound);
   rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data());
   EXPECT_GT(difference(), 0.01) << "of a camera that is turned";
 }

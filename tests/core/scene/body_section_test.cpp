@@ -43,19 +43,21 @@ TEST(BodySection, ReadsTheMeshOfSeveralPanelsOnce) {
                                    return kCube;
                                  });
   EXPECT_EQ(reads, 1);
-  EXPECT_EQ(scene.panels[0].solid.mesh.content, scene.panels[1].solid.mesh.content);
-  EXPECT_NEAR(scene.panels[0].body.mass, 8000, 1e-9);      // measured to rounding
-  EXPECT_NEAR(scene.panels[1].body.mass, 8000e-6, 1e-15);  // measured to rounding
+  EXPECT_EQ(scene.motions[0].solid.mesh.content, scene.motions[1].solid.mesh.content);
+  EXPECT_NEAR(scene.motions[0].body.mass, 8000, 1e-9);      // measured to rounding
+  EXPECT_NEAR(scene.motions[1].body.mass, 8000e-6, 1e-15);  // measured to rounding
 }
 
 TEST(BodySection, AShapeDecidesSizeMassAndInertia) {
   const Scene scene = sceneFrom(kHandle);
-  EXPECT_FALSE(scene.solid.isBook());
-  EXPECT_NEAR(scene.body.mass, 0.09771609789725692, 1e-15);
-  ASSERT_TRUE(scene.inertia);
-  EXPECT_NEAR((*scene.inertia)(1, 1) / 8.025748840628036e-05, 1, 4e-9);  // measured 8e-10
-  EXPECT_NEAR(scene.body.size.x(), 0.12, 1e-15);
-  EXPECT_NEAR(scene.body.size.y(), 0.1106667, 1e-5);  // measured 8e-7, as facets' corners stick out
+  EXPECT_FALSE(scene.motions[0].solid.isBook());
+  EXPECT_NEAR(scene.motions[0].body.mass, 0.09771609789725692, 1e-15);
+  ASSERT_TRUE(scene.motions[0].inertia);
+  EXPECT_NEAR((*scene.motions[0].inertia)(1, 1) / 8.025748840628036e-05, 1,
+              4e-9);  // measured 8e-10
+  EXPECT_NEAR(scene.motions[0].body.size.x(), 0.12, 1e-15);
+  EXPECT_NEAR(scene.motions[0].body.size.y(), 0.1106667,
+              1e-5);  // measured 8e-7, as facets' corners stick out
 }
 
 TEST(BodySection, ABookIsAsBefore) {
@@ -75,8 +77,8 @@ TEST(BodySection, IsPrintedAndReadBack) {
     const Scene scene = sceneFrom(lines);
     const std::string text = sceneText(scene);
     EXPECT_EQ(sceneText(parseScene(text, "a.toml")), text);
-    EXPECT_EQ(parseScene(text, "a.toml").solid, scene.solid) << text;
-    EXPECT_EQ(parseScene(text, "a.toml").inertia, scene.inertia) << text;
+    EXPECT_EQ(parseScene(text, "a.toml").motions[0].solid, scene.motions[0].solid) << text;
+    EXPECT_EQ(parseScene(text, "a.toml").motions[0].inertia, scene.motions[0].inertia) << text;
   }
 }
 
@@ -88,13 +90,15 @@ TEST(BodySection, PartsAddUp) {
       "turn = [\"90 deg\", \"x\"]\nplace = [0, 0.038, 0]\n");
   const Scene handle = sceneFrom(kHandle);
   // Measured 3e-16.
-  EXPECT_LT((*scene.inertia - *handle.inertia).norm() / handle.inertia->norm(), 1e-13);
+  EXPECT_LT((*scene.motions[0].inertia - *handle.motions[0].inertia).norm() /
+                handle.motions[0].inertia->norm(),
+            1e-13);
 }
 
 TEST(BodySection, AMeshIsReadInItsUnit) {
   const Scene scene = withMesh("[body]\nmesh = \"cube.obj\"\nunit = \"cm\"\ndensity = 1000");
-  EXPECT_NEAR(scene.body.mass, 0.008, 1e-17);
-  EXPECT_NEAR((*scene.inertia)(2, 2), 0.008 * 0.0004 / 6, 1e-20);
+  EXPECT_NEAR(scene.motions[0].body.mass, 0.008, 1e-17);
+  EXPECT_NEAR((*scene.motions[0].inertia)(2, 2), 0.008 * 0.0004 / 6, 1e-20);
   EXPECT_THAT(sceneText(scene), HasSubstr("mesh = { file = \"cube.obj\", volume = 8.0, "));
   EXPECT_THAT(sceneText(scene), HasSubstr("density = 1000.0\n"));
 }
@@ -156,6 +160,7 @@ TEST(BodySection, ASpinIsAboutTheAxisOfAMoment) {
     return parseScene(std::string(kHandle) + "[initial]\nangular_velocity = { about = \"" + about +
                           "\", value = 4 }\n",
                       "a.toml")
+        .motions[0]
         .initial.value;
   };
   EXPECT_EQ(spin("smallest"), Eigen::Vector3d(4, 0, 0));
@@ -169,8 +174,8 @@ TEST(BodySection, ASpinAboutAnAxisIsPrintedAndTilted) {
       "[initial]\nangular_velocity = { about = \"middle\", value = 4 }\ntilt = [0.01, \"x\"]\n";
   const Scene scene = parseScene(text, "a.toml");
   EXPECT_THAT(sceneText(scene), HasSubstr("{ about = \"middle\", value = 4.0 }"));
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").initial, scene.initial);
-  EXPECT_NEAR(scene.initial.tilted().x(), 4 * std::sin(0.01), 1e-15);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].initial, scene.motions[0].initial);
+  EXPECT_NEAR(scene.motions[0].initial.tilted().x(), 4 * std::sin(0.01), 1e-15);
   EXPECT_THAT(errorOfText(std::string(kHandle) + "[initial]\nangular_velocity = { about = "
                                                  "\"middle\", value = 4 }\ntilt = [0.1, \"y\"]\n"),
               HasSubstr("points along that axis already"));

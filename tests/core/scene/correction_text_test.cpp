@@ -11,7 +11,7 @@ namespace {
 using ::testing::ElementsAre;
 
 std::vector<std::string> textsOf(const std::string& simulation) {
-  return correctionTexts(sceneFrom("[simulation]\n" + simulation).simulation);
+  return correctionTexts(sceneFrom("[simulation]\n" + simulation).motions[0].simulation);
 }
 
 TEST(CorrectionTexts, SayHowOftenAMotionIsNormalised) {

@@ -33,7 +33,7 @@ std::string errorOfGrid(const std::string& lines) {
 
 std::vector<std::string> labelsOf(const Scene& scene) {
   std::vector<std::string> labels;
-  for (const Panel& panel : scene.panels) labels.push_back(panel.label);
+  for (const Panel& panel : scene.motions) labels.push_back(panel.label);
   return labels;
 }
 
@@ -42,13 +42,13 @@ TEST(GridSection, HasAMotionForEachCellRowByRow) {
   EXPECT_THAT(labelsOf(scene), ElementsAre("tilt 0.1, substeps 2", "tilt 0.01, substeps 2",
                                            "tilt 0.001, substeps 2", "tilt 0.1, substeps 8",
                                            "tilt 0.01, substeps 8", "tilt 0.001, substeps 8"));
-  EXPECT_EQ(scene.panels[5].simulation.substeps, 8);
-  EXPECT_EQ(scene.panels[5].initial.tilt->angle, 0.001);
-  EXPECT_EQ(scene.panels[5].initial.tilt->axis, gridOf(kColumns).initial.tilt->axis);
-  physics::MotionSettings rest = scene.motion();
+  EXPECT_EQ(scene.motions[5].simulation.substeps, 8);
+  EXPECT_EQ(scene.motions[5].initial.tilt->angle, 0.001);
+  EXPECT_EQ(scene.motions[5].initial.tilt->axis, gridOf(kColumns).motions[0].initial.tilt->axis);
+  physics::MotionSettings rest = scene.motions[0].motion();
   rest.simulation.substeps = 8;
   rest.initial.tilt->angle = 0.001;
-  EXPECT_EQ(scene.panels[5].motion(), rest);
+  EXPECT_EQ(scene.motions[5].motion(), rest);
 }
 
 TEST(GridSection, MayHaveColumnsOrRowsAlone) {
@@ -63,17 +63,17 @@ TEST(GridSection, TakesRangesWordsUnitsAndLabels) {
   const Scene scene = gridOf(
       "columns = { key = 'simulation.integrator', values = ['euler', 'rk4'] }\n"
       "rows = { key = 'initial.tilt', values = ['1 deg', '2 deg'] }");
-  EXPECT_EQ(scene.panels[1].simulation.integrator, physics::Integrator::Rk4);
-  EXPECT_NEAR(scene.panels[2].initial.tilt->angle, 0.0349066, 1e-7);  // 2 deg
-  EXPECT_EQ(scene.panels[2].label, "integrator euler, tilt 2 deg");
+  EXPECT_EQ(scene.motions[1].simulation.integrator, physics::Integrator::Rk4);
+  EXPECT_NEAR(scene.motions[2].initial.tilt->angle, 0.0349066, 1e-7);  // 2 deg
+  EXPECT_EQ(scene.motions[2].label, "integrator euler, tilt 2 deg");
   const Scene range = gridOf(
       "columns = { key = 'simulation.substeps',"
       " from = 1, to = 100, count = 3, scale = 'log' }");
-  EXPECT_EQ(range.panels[1].simulation.substeps, 10);
+  EXPECT_EQ(range.motions[1].simulation.substeps, 10);
   const Scene spins = gridOf(
       "columns = { key = 'initial.angular_velocity', label = 'spin',"
       " values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");
-  EXPECT_EQ(spins.panels[1].initial.value.y(), 4);
+  EXPECT_EQ(spins.motions[1].initial.value.y(), 4);
 }
 
 TEST(GridSection, ReadsBackTheSameFromItsText) {
@@ -83,7 +83,7 @@ TEST(GridSection, ReadsBackTheSameFromItsText) {
                              "[expect]\nerror_deg = { max = 180 }");
   const Scene again = parseScene(sceneText(scene), "a.toml");
   EXPECT_EQ(again.grid, scene.grid);
-  EXPECT_EQ(again.panels, scene.panels);
+  EXPECT_EQ(again.motions, scene.motions);
   EXPECT_EQ(sceneText(again), sceneText(scene));
 }
 
@@ -94,9 +94,9 @@ TEST(GridSection, ExpectsOfAllOfARowOfAColumnOrOfACell) {
              " { of = 'L_ratio', row = 2, max = 2 }, { of = 'L_ratio', column = 0.1, min = 0.5 }]\n"
              "[expect]\nerror_deg = { max = 180 }");
   std::vector<std::size_t> counts;
-  for (const Panel& panel : scene.panels) counts.push_back(panel.expectations.size());
+  for (const Panel& panel : scene.motions) counts.push_back(panel.expectations.size());
   EXPECT_THAT(counts, ElementsAre(3, 2, 2, 2, 2, 1));
-  EXPECT_EQ(scene.panels[4].expectations.back().measure, Measure::HalfTurns);
+  EXPECT_EQ(scene.motions[4].expectations.back().measure, Measure::HalfTurns);
 }
 
 TEST(GridSection, NamesItsAxesWithUnits) {
@@ -153,7 +153,7 @@ TEST(GridSection, RefusesMoreBooksThanHaveRoom) {
   EXPECT_EQ(gridOf("columns = { key = 'simulation.substeps', values = " + twelve +
                    " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, "
                    "1e-6, 1e-7, 1e-8] }")
-                .panels.size(),
+                .motions.size(),
             96U);
   EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = " + twelve +
                           " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "

@@ -122,8 +122,8 @@ TEST(MapSection, TakesNumbersWithinValuesAndSpecialAxes) {
       "[map]\nx = { key = 'initial.angular_velocity.2', from = 1, to = 2 }\n"
       "y = { key = 'time', from = 0, to = 2 }\nmeasure = 'tilt_deg'");
   EXPECT_EQ(scene.map->timeAxis(), &scene.map->y);
-  const MotionNumber number(scene.motion(), scene.map->x.key, 1.5, "here");
-  physics::MotionSettings motion = scene.motion();
+  const MotionNumber number(scene.motions[0].motion(), scene.map->x.key, 1.5, "here");
+  physics::MotionSettings motion = scene.motions[0].motion();
   number.set(motion, 1.25);
   EXPECT_EQ(motion.initial.value, Eigen::Vector3d(0, 0, 1.25));
   EXPECT_FALSE(number.isWhole());
@@ -131,8 +131,8 @@ TEST(MapSection, TakesNumbersWithinValuesAndSpecialAxes) {
 
 TEST(MapSection, RoundsWholeNumbers) {
   const Scene scene = sceneFrom("");
-  const MotionNumber number(scene.motion(), "simulation.substeps", 1, "here");
-  physics::MotionSettings motion = scene.motion();
+  const MotionNumber number(scene.motions[0].motion(), "simulation.substeps", 1, "here");
+  physics::MotionSettings motion = scene.motions[0].motion();
   number.set(motion, 6.6);
   EXPECT_EQ(motion.simulation.substeps, 7);
   EXPECT_TRUE(number.isWhole());

@@ -50,10 +50,10 @@ std::string refusalOfRecording(const std::string& text) {
 
 TEST(Recordings, StartAsTheirFileDoes) {
   const Scene scene = readRecorded(kRecorded);
-  EXPECT_EQ(scene.simulation.model, Model::Recorded);
-  EXPECT_NE(scene.simulation.recorded.motion, nullptr);
-  EXPECT_EQ(scene.initial.value, Eigen::Vector3d(0, 0, 3));
-  EXPECT_EQ(scene.simulation.recorded.checksum, checksumOf(kGyro));
+  EXPECT_EQ(scene.motions[0].simulation.model, Model::Recorded);
+  EXPECT_NE(scene.motions[0].simulation.recorded.motion, nullptr);
+  EXPECT_EQ(scene.motions[0].initial.value, Eigen::Vector3d(0, 0, 3));
+  EXPECT_EQ(scene.motions[0].simulation.recorded.checksum, checksumOf(kGyro));
 }
 
 TEST(Recordings, ArePrintedWithTheirChecksumAndReadBack) {
@@ -75,9 +75,9 @@ TEST(Recordings, TakeColumnsUnitsPartsAndBias) {
       "\"s\"\n"
       "columns = { time = \"a\", wx = \"d\", wy = \"b\", wz = \"c\" }\nfrom = 0.5\nto = \"2 s\"\n"
       "bias = [0, 0, 1]\n[clip]\nduration = 1\n");
-  EXPECT_NEAR(scene.initial.value.x(), 3.14159265, 1e-8);
-  EXPECT_EQ(scene.initial.value.z(), -1);
-  EXPECT_NEAR(scene.simulation.recorded.motion->duration(), 1.5, 1e-15);
+  EXPECT_NEAR(scene.motions[0].initial.value.x(), 3.14159265, 1e-8);
+  EXPECT_EQ(scene.motions[0].initial.value.z(), -1);
+  EXPECT_NEAR(scene.motions[0].simulation.recorded.motion->duration(), 1.5, 1e-15);
   EXPECT_EQ(sceneText(readRecorded(sceneText(scene))), sceneText(scene));
 }
 
@@ -86,8 +86,8 @@ TEST(Recordings, AreOfPanelsToo) {
                                    "[initial]\nangular_velocity = [1, 2, 3]\n"
                                    "[[panel]]\nlabel = \"a\"\n"
                                    "[[panel]]\nlabel = \"b\"\nsimulation.model = \"exact\"\n");
-  EXPECT_EQ(scene.panels[0].initial.value, Eigen::Vector3d(0, 0, 3));
-  EXPECT_EQ(scene.panels[1].initial.value, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.motions[0].initial.value, Eigen::Vector3d(0, 0, 3));
+  EXPECT_EQ(scene.motions[1].initial.value, Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(Recordings, AreRefusedWhereTheyAreNamed) {
@@ -128,7 +128,7 @@ TEST(Recordings, NeedAFileAndNoStart) {
 
 TEST(Recordings, ArentReadWithoutAReader) {
   const Scene scene = parseScene(kRecorded, "a.toml");
-  EXPECT_EQ(scene.simulation.recorded.motion, nullptr);
+  EXPECT_EQ(scene.motions[0].simulation.recorded.motion, nullptr);
   EXPECT_THAT(sceneText(scene), Not(HasSubstr("checksum")));
 }
 

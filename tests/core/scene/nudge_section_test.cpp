@@ -18,7 +18,7 @@ const std::string kLate = "[[nudge]]\nat = '5 s'\nangular_velocity = ['60 deg/s'
 const std::string kEarly = "[[nudge]]\nat = 2.5\nangular_momentum = [0, 0.01, 0]\naxes = 'world'\n";
 
 std::vector<Nudge> nudgesFrom(const std::string& text) {
-  return sceneFrom(text).nudges;
+  return sceneFrom(text).motions[0].nudges;
 }
 
 TEST(Nudges, AreNoneUnlessStated) {
@@ -38,7 +38,7 @@ TEST(Nudges, AreReadInTheOrderOfTheirTimes) {
 TEST(Nudges, ArePrintedSoThatTheyAreReadAgain) {
   const std::string spin = "[initial]\nangular_velocity = [0, 0, 6]\n";
   const Scene scene = parseScene(spin + kLate + kEarly, "a.toml");
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").nudges, scene.nudges);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].nudges, scene.motions[0].nudges);
 }
 
 TEST(Nudges, OfThePanelsAreTheScenesOrTheirOwn) {
@@ -47,10 +47,10 @@ TEST(Nudges, OfThePanelsAreTheScenesOrTheirOwn) {
                      "[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\n[[panel.nudge]]\nat = 7\n"
                      "angular_velocity = [0, 0, 1]\n",
                  "a.toml");
-  EXPECT_EQ(scene.panels[0].nudges, nudgesFrom(kEarly));
-  ASSERT_EQ(scene.panels[1].nudges.size(), 1U);
-  EXPECT_EQ(scene.panels[1].nudges[0].at, 7);
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").panels, scene.panels);
+  EXPECT_EQ(scene.motions[0].nudges, nudgesFrom(kEarly));
+  ASSERT_EQ(scene.motions[1].nudges.size(), 1U);
+  EXPECT_EQ(scene.motions[1].nudges[0].at, 7);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions, scene.motions);
 }
 
 TEST(Nudges, NeedATimeAndOneSpin) {

@@ -16,8 +16,8 @@ using physics::Model;
 TEST(Overrides, ReplaceValuesOfTheFile) {
   const Scene scene =
       sceneFrom("simulation.substeps = 3\nsimulation.damping = 0.5", {"simulation.substeps=10"});
-  EXPECT_EQ(scene.simulation.substeps, 10);
-  EXPECT_EQ(scene.simulation.damping, 0.5);
+  EXPECT_EQ(scene.motions[0].simulation.substeps, 10);
+  EXPECT_EQ(scene.motions[0].simulation.damping, 0.5);
 }
 
 TEST(Overrides, AddKeysAndSections) {
@@ -26,22 +26,22 @@ TEST(Overrides, AddKeysAndSections) {
                      "initial.tilt=[0.01,\"z\"]", "initial.angular_velocity=[0,6,0]"});
   EXPECT_EQ(scene.clip.width, 640);
   EXPECT_EQ(scene.clip.height, 360);
-  ASSERT_EQ(scene.expectations.size(), 1u);
-  EXPECT_EQ(scene.expectations[0].min, 3);
+  ASSERT_EQ(scene.motions[0].expectations.size(), 1u);
+  EXPECT_EQ(scene.motions[0].expectations[0].min, 3);
   EXPECT_EQ(scene.title, "x");
-  EXPECT_EQ(scene.initial.tilt, (physics::Tilt{0.01, 2}));
+  EXPECT_EQ(scene.motions[0].initial.tilt, (physics::Tilt{0.01, 2}));
 }
 
 TEST(Overrides, MayBeTheWholeScene) {
   const Scene scene =
       parseScene("", "a.toml", std::vector<std::string>{"initial={angular_momentum=[1,2,3]}"});
-  EXPECT_EQ(scene.initial.value, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.motions[0].initial.value, Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(Overrides, TakeBareStrings) {
   const Scene scene = sceneFrom("", {"simulation.model=matrix", "clip.fps=30000/1001",
                                      "title=Don't \"panic\" = [1", "caption="});
-  EXPECT_EQ(scene.simulation.model, Model::Matrix);
+  EXPECT_EQ(scene.motions[0].simulation.model, Model::Matrix);
   EXPECT_EQ(scene.clip.frameRate, (FrameRate{30000, 1001}));
   EXPECT_EQ(scene.title, "Don't \"panic\" = [1");
   EXPECT_EQ(scene.caption, "");
@@ -49,26 +49,30 @@ TEST(Overrides, TakeBareStrings) {
 
 TEST(Overrides, IgnoreBlanksAroundKeyAndValue) {
   EXPECT_EQ(sceneFrom("", {" video.crf = 3 "}).video.crf, 3);
-  EXPECT_EQ(sceneFrom("", {"simulation.model = matrix "}).simulation.model, Model::Matrix);
+  EXPECT_EQ(sceneFrom("", {"simulation.model = matrix "}).motions[0].simulation.model,
+            Model::Matrix);
 }
 
 TEST(Overrides, CountInTheirOrder) {
   EXPECT_EQ(sceneFrom("", {"video.crf=3", "video.crf=4"}).video.crf, 4);
-  EXPECT_EQ(sceneFrom("", {"expect={half_turns={min=3}}", "expect={}"}).expectations.size(), 0u);
+  EXPECT_EQ(
+      sceneFrom("", {"expect={half_turns={min=3}}", "expect={}"}).motions[0].expectations.size(),
+      0u);
 }
 
 TEST(Overrides, MoveTheDefaultsThatDependOnThem) {
-  EXPECT_EQ(sceneFrom("clip.fps = 50", {"clip.fps=25"}).simulation.timePerFrame, 1.0 / 25);
+  EXPECT_EQ(sceneFrom("clip.fps = 50", {"clip.fps=25"}).motions[0].simulation.timePerFrame,
+            1.0 / 25);
 }
 
 TEST(Overrides, ReplaceTheSpinWhicheverKeyGaveIt) {
   const Scene momentum = sceneFrom("", {"initial.angular_momentum=[1,0,0]"});
-  EXPECT_EQ(momentum.initial.kind, InitialSpin::Kind::AngularMomentum);
-  EXPECT_EQ(momentum.initial.value, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(momentum.motions[0].initial.kind, InitialSpin::Kind::AngularMomentum);
+  EXPECT_EQ(momentum.motions[0].initial.value, Eigen::Vector3d(1, 0, 0));
   const Scene velocity =
       sceneFrom("", {"initial.angular_momentum=[1,0,0]", "initial.angular_velocity=[2,0,0]"});
-  EXPECT_EQ(velocity.initial.kind, InitialSpin::Kind::AngularVelocity);
-  EXPECT_EQ(velocity.initial.value, Eigen::Vector3d(2, 0, 0));
+  EXPECT_EQ(velocity.motions[0].initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(velocity.motions[0].initial.value, Eigen::Vector3d(2, 0, 0));
   EXPECT_EQ(errorOf("", {"initial={angular_velocity=[1,0,0],angular_momentum=[1,0,0]}"}),
             "--set initial={angular_velocity=[1,0,0],angular_momentum=[1,0,0]}: [initial] has both "
             "angular_velocity and angular_momentum; keep one of them");

@@ -27,7 +27,7 @@ Scene sceneOf(const std::string& text, const std::vector<std::string>& overrides
 }
 
 TEST(Panels, AreNoneInMostScenes) {
-  EXPECT_TRUE(sceneFrom("").panels.empty());
+  EXPECT_FALSE(sceneFrom("").hasPanels());
 }
 
 TEST(Panels, HaveWhatTheSceneHas) {
@@ -35,10 +35,10 @@ TEST(Panels, HaveWhatTheSceneHas) {
       "[body]\nmass = 3\n[simulation]\nmodel = 'matrix'\ntime_per_frame = 0.5\n"
       "[initial]\nangular_velocity = [0, 0, 6]\ntilt = [0.1, 'x']\n[expect]\nstretch.max = 2\n"
       "[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\n");
-  ASSERT_EQ(scene.panels.size(), 2U);
-  EXPECT_EQ(scene.panels[0].label, "one");
-  EXPECT_EQ(scene.panels[1].label, "two");
-  for (const Panel& panel : scene.panels) {
+  ASSERT_EQ(scene.motions.size(), 2U);
+  EXPECT_EQ(scene.motions[0].label, "one");
+  EXPECT_EQ(scene.motions[1].label, "two");
+  for (const Panel& panel : scene.motions) {
     EXPECT_EQ(panel.body.mass, 3);
     EXPECT_EQ(panel.simulation.model, Model::Matrix);
     EXPECT_EQ(panel.simulation.timePerFrame, 0.5);
@@ -56,12 +56,12 @@ TEST(Panels, HaveKeysOfTheirOwn) {
                 "simulation.integrator = 'dmv6'\nsimulation.substeps = 7\n"
                 "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.2, 'y']\n"
                 "expect.stretch = { max = 3 }\n"));
-  const Panel& one = scene.panels[0];
+  const Panel& one = scene.motions[0];
   EXPECT_EQ(one.simulation.model, Model::Quaternion);
   EXPECT_EQ(one.initial.value, Eigen::Vector3d(0, 0, 6));
   EXPECT_FALSE(one.inertia);
   EXPECT_TRUE(one.expectations.empty());
-  const Panel& two = scene.panels[1];
+  const Panel& two = scene.motions[1];
   EXPECT_EQ(two.body.size, Eigen::Vector3d(1, 2, 3));
   EXPECT_TRUE(two.inertia);
   EXPECT_EQ(two.simulation.model, Model::Matrix);
@@ -74,7 +74,7 @@ TEST(Panels, HaveKeysOfTheirOwn) {
 }
 
 TEST(Panels, ReplaceTheScenesSpinWhicheverKeyEitherHas) {
-  const Panel panel = sceneOf(twoPanels("initial.angular_momentum = [1, 2, 3]")).panels[1];
+  const Panel panel = sceneOf(twoPanels("initial.angular_momentum = [1, 2, 3]")).motions[1];
   EXPECT_EQ(panel.initial.kind, InitialSpin::Kind::AngularMomentum);
   EXPECT_EQ(panel.initial.value, Eigen::Vector3d(1, 2, 3));
 }
@@ -83,19 +83,19 @@ TEST(Panels, ReplaceTheScenesExpectationsOfTheSameQuantity) {
   const Scene scene = sceneOf(
       "[initial]\nangular_velocity = [0, 0, 6]\n[expect]\nstretch.max = 2\ntilt_deg.max = 3\n"
       "[[panel]]\nlabel = 'one'\nexpect.stretch.min = 1\n[[panel]]\nlabel = 'two'\n");
-  ASSERT_EQ(scene.panels[0].expectations.size(), 2U);
-  EXPECT_EQ(scene.panels[0].expectations[0].min, 1);
-  EXPECT_FALSE(scene.panels[0].expectations[0].max);
-  EXPECT_EQ(scene.panels[0].expectations[1].measure, Measure::TiltDeg);
+  ASSERT_EQ(scene.motions[0].expectations.size(), 2U);
+  EXPECT_EQ(scene.motions[0].expectations[0].min, 1);
+  EXPECT_FALSE(scene.motions[0].expectations[0].max);
+  EXPECT_EQ(scene.motions[0].expectations[1].measure, Measure::TiltDeg);
 }
 
 TEST(Panels, MayHaveASpinEachInsteadOfTheScenes) {
   const std::string one = "[[panel]]\nlabel = 'one'\ninitial.angular_velocity = [1, 0, 0]\n";
   const Scene scene = sceneOf("[initial]\ntilt = [0.1, 'z']\n" + one +
                               "[[panel]]\nlabel = 'two'\ninitial.angular_velocity = [0, 1, 0]\n");
-  EXPECT_EQ(scene.panels[0].initial.value, Eigen::Vector3d(1, 0, 0));
-  EXPECT_EQ(scene.panels[1].initial.value, Eigen::Vector3d(0, 1, 0));
-  EXPECT_EQ(scene.panels[1].initial.tilt, (physics::Tilt{0.1, 2}));
+  EXPECT_EQ(scene.motions[0].initial.value, Eigen::Vector3d(1, 0, 0));
+  EXPECT_EQ(scene.motions[1].initial.value, Eigen::Vector3d(0, 1, 0));
+  EXPECT_EQ(scene.motions[1].initial.tilt, (physics::Tilt{0.1, 2}));
   EXPECT_EQ(errorOfText(one + "[[panel]]\nlabel = 'two'\n"),
             "a.toml:4:1: the panel \"two\" has no [initial], and neither has the scene; it needs "
             "angular_velocity or angular_momentum");
@@ -105,20 +105,20 @@ TEST(Panels, MayHaveASpinEachInsteadOfTheScenes) {
 
 TEST(Panels, HaveTheIntegratorOfTheSceneElseThatOfTheirModel) {
   const std::string panels = twoPanels("simulation.model = 'particles'");
-  EXPECT_EQ(sceneOf(panels).panels[0].simulation.integrator, Integrator::Rk4);
-  EXPECT_EQ(sceneOf(panels).panels[1].simulation.integrator, Integrator::Euler);
+  EXPECT_EQ(sceneOf(panels).motions[0].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(sceneOf(panels).motions[1].simulation.integrator, Integrator::Euler);
   const std::string rk4 = "[simulation]\nintegrator = 'rk4'\n";
-  EXPECT_EQ(sceneOf(rk4 + panels).panels[1].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(sceneOf(rk4 + panels).motions[1].simulation.integrator, Integrator::Rk4);
   const std::string euler = "[simulation]\nintegrator = 'euler'\n";
-  EXPECT_EQ(sceneOf(euler + panels).panels[0].simulation.integrator, Integrator::Euler);
+  EXPECT_EQ(sceneOf(euler + panels).motions[0].simulation.integrator, Integrator::Euler);
 }
 
 TEST(Panels, OfTheExactModelHaveNoUseForTheScenesIntegrator) {
   const std::string text =
       "[initial]\nangular_velocity = [0, 0, 6]\n[simulation]\nintegrator = 'rk4'\n"
       "[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\nsimulation.model = 'exact'\n";
-  EXPECT_EQ(sceneOf(text).panels[0].simulation.integrator, Integrator::Rk4);
-  EXPECT_EQ(sceneOf(text).panels[1].simulation.model, Model::Exact);
+  EXPECT_EQ(sceneOf(text).motions[0].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(sceneOf(text).motions[1].simulation.model, Model::Exact);
   EXPECT_EQ(errorOfText(text + "simulation.integrator = 'rk4'"),
             "a.toml:10:25: panel.simulation.integrator = \"rk4\", but the model \"exact\" takes "
             "no steps; leave it out");
@@ -194,19 +194,19 @@ TEST(Panels, TakeOverridesByTheirNumber) {
   const std::string text = twoPanels("initial.angular_momentum = [1, 2, 3]");
   const Scene scene = sceneOf(
       text, {"panel.0.simulation.model=exact", "panel.1.initial.angular_velocity=[3, 2, 1]"});
-  EXPECT_EQ(scene.panels[0].simulation.model, Model::Exact);
-  EXPECT_EQ(scene.panels[1].simulation.model, Model::Quaternion);
-  EXPECT_EQ(scene.panels[1].initial.kind, InitialSpin::Kind::AngularVelocity);
-  EXPECT_EQ(scene.panels[1].initial.value, Eigen::Vector3d(3, 2, 1));
+  EXPECT_EQ(scene.motions[0].simulation.model, Model::Exact);
+  EXPECT_EQ(scene.motions[1].simulation.model, Model::Quaternion);
+  EXPECT_EQ(scene.motions[1].initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(scene.motions[1].initial.value, Eigen::Vector3d(3, 2, 1));
   const Scene deep =
       sceneOf(text + "\n[expect]\nhalf_turns = [{ min = 1 }, { max = 9 }]\n",
               {"panel.0.initial.angular_velocity=[3, 2, 1]", "panel.0.initial.angular_velocity.0=5",
                "panel.1.expect.half_turns.min=2", "expect.half_turns.1.max=8"});
-  EXPECT_EQ(deep.panels[0].initial.value, Eigen::Vector3d(5, 2, 1));
-  ASSERT_EQ(deep.panels[0].expectations.size(), 2U);
-  EXPECT_EQ(deep.panels[0].expectations[1].max, 8);
-  ASSERT_EQ(deep.panels[1].expectations.size(), 1U);
-  EXPECT_EQ(deep.panels[1].expectations[0].min, 2);
+  EXPECT_EQ(deep.motions[0].initial.value, Eigen::Vector3d(5, 2, 1));
+  ASSERT_EQ(deep.motions[0].expectations.size(), 2U);
+  EXPECT_EQ(deep.motions[0].expectations[1].max, 8);
+  ASSERT_EQ(deep.motions[1].expectations.size(), 1U);
+  EXPECT_EQ(deep.motions[1].expectations[0].min, 2);
   EXPECT_EQ(errorOfText(text, {"panel.2.label=x"}),
             "--set panel.2.label=x: panel has 2 elements, numbered from 0, and no \"2\"");
   EXPECT_EQ(errorOfText(text, {"panel.one.label=x"}),
@@ -223,9 +223,9 @@ TEST(Panels, ReadBackFromTheirText) {
   const std::string text = sceneText(scene);
   SCOPED_TRACE(text);
   const Scene back = sceneOf(text);
-  ASSERT_EQ(back.panels.size(), 2U);
+  ASSERT_EQ(back.motions.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const Panel &read = back.panels[i], &meant = scene.panels[i];
+    const Panel &read = back.motions[i], &meant = scene.motions[i];
     EXPECT_EQ(read.label, meant.label);
     EXPECT_EQ(read.body.mass, 2);
     EXPECT_EQ(read.inertia, meant.inertia);
@@ -236,23 +236,23 @@ TEST(Panels, ReadBackFromTheirText) {
     EXPECT_EQ(read.initial.tilt, meant.initial.tilt);
     EXPECT_EQ(read.expectations.size(), meant.expectations.size());
   }
-  EXPECT_EQ(back.panels[0].simulation.integrator, Integrator::Rk4);
-  EXPECT_EQ(back.panels[1].expectations, scene.panels[1].expectations);
+  EXPECT_EQ(back.motions[0].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(back.motions[1].expectations, scene.motions[1].expectations);
   EXPECT_EQ(sceneText(back), text);
   EXPECT_THAT(text, Not(HasSubstr("\n[initial]")));
 }
 
 TEST(Panels, AreSeenWholeByTheDefaultCamera) {
   const Scene scene = sceneOf(twoPanels("body.size = [1, 2, 3]"));
-  EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.panels[1].body, 30, 1, 1));
+  EXPECT_EQ(scene.cameraPosition, defaultCameraPosition(scene.motions[1].body, 30, 1, 1));
 }
 
 TEST(MotionsOf, AreThePanelsOrTheSceneItself) {
   const Scene scene = sceneOf(twoPanels("body.mass = 7"));
-  EXPECT_EQ(motionsOf(scene).size(), 2U);
-  const Scene single = withMotion(scene, scene.panels[1]);
-  EXPECT_EQ(single.body.mass, 7);
-  const auto motions = motionsOf(single);
+  EXPECT_EQ(scene.motions.size(), 2U);
+  const Scene single = withMotion(scene, scene.motions[1]);
+  EXPECT_EQ(single.motions[0].body.mass, 7);
+  const auto motions = single.motions;
   ASSERT_EQ(motions.size(), 1U);
   EXPECT_EQ(motions[0].label, "");
   EXPECT_EQ(motions[0].body.mass, 7);

@@ -18,8 +18,8 @@ using physics::Model;
 
 TEST(BodySection, ReadsSizeAndMass) {
   const Scene scene = sceneFrom("[body]\nsize = [1, 2.5, 3]\nmass = 7");
-  EXPECT_EQ(scene.body.size, Eigen::Vector3d(1, 2.5, 3));
-  EXPECT_EQ(scene.body.mass, 7);
+  EXPECT_EQ(scene.motions[0].body.size, Eigen::Vector3d(1, 2.5, 3));
+  EXPECT_EQ(scene.motions[0].body.mass, 7);
 }
 
 TEST(BodySection, RefusesImpossibleSizes) {
@@ -46,18 +46,18 @@ TEST(SimulationSection, ReadsEveryKey) {
   const Scene scene = sceneFrom(
       "[simulation]\nmodel = 'particles'\nintegrator = 'euler'\nnormalize = false\n"
       "damping = 0\nstiffness = 31.5\ntime_per_frame = 0.001\nsubsteps = 1000000");
-  EXPECT_EQ(scene.simulation.model, Model::Particles);
-  EXPECT_EQ(scene.simulation.integrator, physics::Integrator::Euler);
-  EXPECT_EQ(scene.simulation.normalizeEvery, 0);
-  EXPECT_EQ(scene.simulation.damping, 0);
-  EXPECT_EQ(scene.simulation.stiffness, 31.5);
-  EXPECT_EQ(scene.simulation.timePerFrame, 0.001);
-  EXPECT_EQ(scene.simulation.substeps, 1'000'000);
+  EXPECT_EQ(scene.motions[0].simulation.model, Model::Particles);
+  EXPECT_EQ(scene.motions[0].simulation.integrator, physics::Integrator::Euler);
+  EXPECT_EQ(scene.motions[0].simulation.normalizeEvery, 0);
+  EXPECT_EQ(scene.motions[0].simulation.damping, 0);
+  EXPECT_EQ(scene.motions[0].simulation.stiffness, 31.5);
+  EXPECT_EQ(scene.timePerFrame(), 0.001);
+  EXPECT_EQ(scene.motions[0].simulation.substeps, 1'000'000);
 }
 
 TEST(SimulationSection, ReadsHowOftenAMotionIsNormalised) {
   const auto simulationFrom = [](const std::string& keys) {
-    return sceneFrom("[simulation]\nmodel = 'particles'\n" + keys).simulation;
+    return sceneFrom("[simulation]\nmodel = 'particles'\n" + keys).motions[0].simulation;
   };
   EXPECT_EQ(simulationFrom("normalize = true").normalizeEvery, 1);
   EXPECT_EQ(simulationFrom("normalize = { every = 100 }").normalizeEvery, 100);
@@ -84,10 +84,10 @@ TEST(SimulationSection, RefusesOtherIntervals) {
 
 TEST(BodySection, ReadsMomentsOfInertia) {
   const Scene scene = sceneFrom("[body]\ninertia = [3, 4, 5.5]");
-  ASSERT_TRUE(scene.inertia);
-  EXPECT_EQ(*scene.inertia, Eigen::Matrix3d(Eigen::Vector3d(3, 4, 5.5).asDiagonal()));
-  EXPECT_EQ(scene.motion().inertia, scene.inertia);
-  EXPECT_FALSE(sceneFrom("").inertia);
+  ASSERT_TRUE(scene.motions[0].inertia);
+  EXPECT_EQ(*scene.motions[0].inertia, Eigen::Matrix3d(Eigen::Vector3d(3, 4, 5.5).asDiagonal()));
+  EXPECT_EQ(scene.motions[0].motion().inertia, scene.motions[0].inertia);
+  EXPECT_FALSE(sceneFrom("").motions[0].inertia);
 }
 
 TEST(BodySection, ReadsATensorOfInertia) {
@@ -95,7 +95,7 @@ TEST(BodySection, ReadsATensorOfInertia) {
       sceneFrom("[body]\ninertia = [[3, 0.1, 0.2],\n  [0.1, 4, 0.3],\n  [0.2, 0.3, 5]]");
   Eigen::Matrix3d expected;
   expected << 3, 0.1, 0.2, 0.1, 4, 0.3, 0.2, 0.3, 5;
-  EXPECT_EQ(*scene.inertia, expected);
+  EXPECT_EQ(*scene.motions[0].inertia, expected);
 }
 
 TEST(BodySection, RefusesImpossibleInertia) {
@@ -130,7 +130,7 @@ TEST(SimulationSection, ReadsEveryIntegrator) {
     for (const std::string_view name : integratorNames(model.value)) {
       const Scene scene = sceneFrom("simulation = { model = '" + std::string(model.name) +
                                     "', integrator = '" + std::string(name) + "' }");
-      EXPECT_EQ(nameOf(kIntegrators, scene.simulation.integrator), name);
+      EXPECT_EQ(nameOf(kIntegrators, scene.motions[0].simulation.integrator), name);
     }
   }
   EXPECT_TRUE(integratorNames(Model::Exact).empty());
@@ -151,7 +151,7 @@ TEST(SimulationSection, KeepsTheWordsOfTheIntegrators) {
 
 TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOtherwise) {
   const auto integratorWith = [](const std::string& lines) {
-    return sceneFrom(lines).simulation.integrator;
+    return sceneFrom(lines).motions[0].simulation.integrator;
   };
   using physics::Integrator;
   EXPECT_EQ(integratorWith(""), Integrator::Rk4);
@@ -179,10 +179,12 @@ TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
 }
 
 TEST(SimulationSection, KnowsTheModels) {
-  EXPECT_EQ(sceneFrom("simulation.model = 'particles'").simulation.model, Model::Particles);
-  EXPECT_EQ(sceneFrom("simulation.model = 'matrix'").simulation.model, Model::Matrix);
-  EXPECT_EQ(sceneFrom("simulation.model = 'quaternion'").simulation.model, Model::Quaternion);
-  EXPECT_EQ(sceneFrom("simulation.model = 'exact'").simulation.model, Model::Exact);
+  EXPECT_EQ(sceneFrom("simulation.model = 'particles'").motions[0].simulation.model,
+            Model::Particles);
+  EXPECT_EQ(sceneFrom("simulation.model = 'matrix'").motions[0].simulation.model, Model::Matrix);
+  EXPECT_EQ(sceneFrom("simulation.model = 'quaternion'").motions[0].simulation.model,
+            Model::Quaternion);
+  EXPECT_EQ(sceneFrom("simulation.model = 'exact'").motions[0].simulation.model, Model::Exact);
 }
 
 TEST(SimulationSection, RefusesUnknownWords) {
@@ -222,24 +224,26 @@ TEST(SimulationSection, RefusesNumbersOutOfRange) {
 
 TEST(InitialSection, ReadsEitherSpin) {
   const Scene velocity = parseScene("[initial]\nangular_velocity = [1, -2, 3.5]", "a.toml");
-  EXPECT_EQ(velocity.initial.kind, InitialSpin::Kind::AngularVelocity);
-  EXPECT_EQ(velocity.initial.value, Eigen::Vector3d(1, -2, 3.5));
+  EXPECT_EQ(velocity.motions[0].initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(velocity.motions[0].initial.value, Eigen::Vector3d(1, -2, 3.5));
   const Scene momentum = parseScene("[initial]\nangular_momentum = [0, 0.01, 0]", "a.toml");
-  EXPECT_EQ(momentum.initial.kind, InitialSpin::Kind::AngularMomentum);
-  EXPECT_EQ(momentum.initial.value, Eigen::Vector3d(0, 0.01, 0));
+  EXPECT_EQ(momentum.motions[0].initial.kind, InitialSpin::Kind::AngularMomentum);
+  EXPECT_EQ(momentum.motions[0].initial.value, Eigen::Vector3d(0, 0.01, 0));
 }
 
 TEST(InitialSection, ReadsATiltTowardEachAxis) {
   const std::string spin = "[initial]\nangular_velocity = [1, 2, 3]\ntilt = ";
-  EXPECT_EQ(parseScene(spin + "[0.5, 'x']", "a.toml").initial.tilt, (physics::Tilt{0.5, 0}));
-  EXPECT_EQ(parseScene(spin + "[-1, 'y']", "a.toml").initial.tilt, (physics::Tilt{-1, 1}));
-  EXPECT_EQ(parseScene(spin + "[0, 'z']", "a.toml").initial.tilt, (physics::Tilt{0, 2}));
+  EXPECT_EQ(parseScene(spin + "[0.5, 'x']", "a.toml").motions[0].initial.tilt,
+            (physics::Tilt{0.5, 0}));
+  EXPECT_EQ(parseScene(spin + "[-1, 'y']", "a.toml").motions[0].initial.tilt,
+            (physics::Tilt{-1, 1}));
+  EXPECT_EQ(parseScene(spin + "[0, 'z']", "a.toml").motions[0].initial.tilt, (physics::Tilt{0, 2}));
 }
 
 TEST(InitialSection, ReadsATiltInDegreesAndPrintsRadians) {
   const std::string spin = "[initial]\nangular_velocity = [1, 2, 3]\ntilt = ";
   const auto angleOf = [&](const std::string& tilt) {
-    return parseScene(spin + tilt, "a.toml").initial.tilt->angle;
+    return parseScene(spin + tilt, "a.toml").motions[0].initial.tilt->angle;
   };
   EXPECT_EQ(angleOf("['180 deg', 'x']"), std::numbers::pi);
   EXPECT_EQ(angleOf("['-1.5deg', 'x']"), -1.5 * (std::numbers::pi / 180));
@@ -318,8 +322,8 @@ TEST(InitialSection, RefusesATiltThatIsNone) {
 TEST(ExpectSection, ReadsEveryBound) {
   const Scene scene = sceneFrom(
       "[expect]\ntilt_deg = { min = -1, max = 2, rises_to = 1.5, falls_to = 0, from = 3, to = 4 }");
-  ASSERT_EQ(scene.expectations.size(), 1u);
-  EXPECT_EQ(scene.expectations[0], (Expectation{Measure::TiltDeg, -1, 2, 1.5, 0, 3, 4}));
+  ASSERT_EQ(scene.motions[0].expectations.size(), 1u);
+  EXPECT_EQ(scene.motions[0].expectations[0], (Expectation{Measure::TiltDeg, -1, 2, 1.5, 0, 3, 4}));
 }
 
 TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
@@ -333,15 +337,15 @@ TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
       {Measure::HalfTurns, 3, {}, {}, {}, 0, kNoEnd},
       {Measure::EnergyRatio, {}, 9, {}, {}, 0, kNoEnd},
   };
-  EXPECT_EQ(scene.expectations, expected);
+  EXPECT_EQ(scene.motions[0].expectations, expected);
 }
 
 TEST(ExpectSection, KnowsEveryQuantity) {
   for (const Measure measure : kMeasuresOfMotions) {
     const std::string name(nameOf(measure));
     const Scene scene = sceneFrom("expect." + name + ".min = 1");
-    ASSERT_EQ(scene.expectations.size(), 1u) << name;
-    EXPECT_EQ(scene.expectations[0].measure, measure) << name;
+    ASSERT_EQ(scene.motions[0].expectations.size(), 1u) << name;
+    EXPECT_EQ(scene.motions[0].expectations[0].measure, measure) << name;
   }
 }
 

@@ -20,10 +20,10 @@ TEST(ClipSection, ReadsEveryKey) {
 }
 
 TEST(ClipSection, ReadsTheSpeedOfTheMotion) {
-  EXPECT_EQ(sceneFrom("").simulation.timePerFrame, 1.0 / 60);
+  EXPECT_EQ(sceneFrom("").motions[0].simulation.timePerFrame, 1.0 / 60);
   const Scene slow = sceneFrom("clip.speed = 0.25\nclip.fps = 30");
-  EXPECT_EQ(slow.simulation.timePerFrame, 1.0 / 120);
-  EXPECT_EQ(parseScene(sceneText(slow), "a.toml").simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(slow.motions[0].simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(parseScene(sceneText(slow), "a.toml").motions[0].simulation.timePerFrame, 1.0 / 120);
   EXPECT_EQ(errorOf("[clip]\nspeed = 0"),
             "a.toml:2:9: clip.speed must be a number from 1e-6 to 1e6, not 0; to hold a picture, "
             "write a stretch, such as [{ from = 3, to = 5, value = 0 }]");
@@ -37,8 +37,8 @@ TEST(ClipSection, IsOfAllPanels) {
       "[initial]\nangular_velocity = [0, 0, 6]\n[clip]\nspeed = 0.5\n[[panel]]\nlabel = 'one'\n"
       "[[panel]]\nlabel = 'two'\n",
       "a.toml");
-  EXPECT_EQ(scene.panels[1].simulation.timePerFrame, 1.0 / 120);
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").panels, scene.panels);
+  EXPECT_EQ(scene.motions[1].simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions, scene.motions);
 }
 
 TEST(ClipSection, TakesAnyTimeForThePoster) {
@@ -168,7 +168,7 @@ TEST(CameraSection, ReadsEveryKey) {
   const Scene scene = sceneFrom(
       "[camera]\nposition = [1, 2, 3]\ntarget = [0, 0.5, 0]\nup = [1, 0, 0]\n"
       "field_of_view_deg = 45\nframe = 'momentum'");
-  EXPECT_EQ(scene.camera.position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.cameraPosition, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d(0, 0.5, 0));
   EXPECT_EQ(scene.camera.up, Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(scene.camera.fieldOfViewDeg, 45);
@@ -204,7 +204,7 @@ TEST(CameraSection, RefusesToLookNowhere) {
   EXPECT_EQ(errorOf("[camera]\nposition = [0, 0, 0]"), "a.toml:2:12" + must);
   EXPECT_EQ(errorOf("[camera]\ntarget = [1, 2, 3]\nposition = [1, 2, 3]"), "a.toml:3:12" + must);
   // The default position, as the file's target.
-  const Eigen::Vector3d p = sceneFrom("").camera.position;
+  const Eigen::Vector3d p = sceneFrom("").cameraPosition;
   const std::string target = "[" + document::tomlNumber(p.x()) + ", " +
                              document::tomlNumber(p.y()) + ", " + document::tomlNumber(p.z()) + "]";
   EXPECT_EQ(errorOf("[camera]\ntarget = " + target), "a.toml:2:10" + must);

@@ -45,7 +45,7 @@ std::string particles(const std::string& arrangement, const std::string& body,
 }
 
 physics::MassSpringSystem systemOf(const std::string& arrangement, const std::string& body) {
-  return particlesOf(sceneFrom(particles(arrangement, body)).motion());
+  return particlesOf(sceneFrom(particles(arrangement, body)).motions[0]);
 }
 
 ReadNamedFile reading(const char* obj) {
@@ -54,29 +54,31 @@ ReadNamedFile reading(const char* obj) {
 
 TEST(PlacedParticles, AreTheBooksCornersByDefault) {
   const Scene scene = sceneFrom("[simulation]\nmodel = \"particles\"");
-  EXPECT_EQ(scene.simulation.particles.arrangement, physics::Arrangement::Corners);
-  EXPECT_EQ(scene.particles.system, nullptr);
+  EXPECT_EQ(scene.motions[0].simulation.particles.arrangement, physics::Arrangement::Corners);
+  EXPECT_EQ(scene.motions[0].particles.system, nullptr);
   EXPECT_THAT(sceneText(scene), HasSubstr("particles = \"corners\""));
 }
 
 TEST(PlacedParticles, AreTheCornersOfABoxToo) {
   const Scene scene = sceneFrom(particles("corners", "[body]\nshape = \"cards\""));
-  EXPECT_LT((particlesOf(scene.motion()).places[7] - scene.body.size / 2).norm(), 1e-17);
+  EXPECT_LT(
+      (particlesOf(scene.motions[0].motion()).places[7] - scene.motions[0].body.size / 2).norm(),
+      1e-17);
 }
 
 TEST(PlacedParticles, ArePrintedAndReadBack) {
   for (const char* arrangement : {"equimomental", "vertices", "grid:20"}) {
     const Scene scene = sceneFrom(particles(arrangement, kHandle));
     EXPECT_THAT(sceneText(scene), HasSubstr("particles = \"" + std::string(arrangement) + "\""));
-    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motion(), scene.motion()) << arrangement;
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0], scene.motions[0]) << arrangement;
   }
 }
 
 TEST(PlacedParticles, HaveTheRigidBodysMomentsIfEquimomental) {
   const Scene rigid = sceneFrom(kHandle);
   const Scene scene = sceneFrom(particles("equimomental", kHandle));
-  const Eigen::Vector3d expected = modelInertia(rigid.motion()).moments;
-  const Eigen::Vector3d moments = modelInertia(scene.motion()).moments;
+  const Eigen::Vector3d expected = modelInertia(rigid.motions[0]).moments;
+  const Eigen::Vector3d moments = modelInertia(scene.motions[0].motion()).moments;
   EXPECT_LT((moments - expected).norm() / expected.norm(), 1e-15);  // measured 2e-16
 }
 
@@ -86,7 +88,7 @@ TEST(PlacedParticles, AreAtTheVerticesOfAMesh) {
                                            "density = 1000") +
                                      "\n" + kSpin,
                                  "a.toml", {}, reading(kCube));
-  const auto system = particlesOf(scene.motion());
+  const auto system = particlesOf(scene.motions[0].motion());
   ASSERT_EQ(system.places.size(), 8U);
   for (const Eigen::Vector3d& place : system.places)
     EXPECT_LT((place.cwiseAbs() - Eigen::Vector3d::Constant(0.01)).norm(), 1e-17);
@@ -103,11 +105,11 @@ TEST(PlacedParticles, OfARecordWaitForTheFileOfTheirMesh) {
         "[overlay]\nshow = [\"polhode\", \"omega\", \"error\", \"energy\", \"ghost\"]\n";
     const Scene scene = parseScene(text, "a.toml", {}, reading(kBrick));
     Scene recorded = parseScene(sceneText(scene), "a.toml");
-    EXPECT_EQ(recorded.particles.system, nullptr);
+    EXPECT_EQ(recorded.motions[0].particles.system, nullptr);
     EXPECT_EQ(sceneText(recorded), sceneText(scene));
     Scene other = recorded;
     readMotionFiles(recorded, reading(kBrick));
-    EXPECT_EQ(recorded.motion(), scene.motion());
+    EXPECT_EQ(recorded.motions[0], scene.motions[0]);
     EXPECT_THAT([&] { readMotionFiles(other, reading(kCube)); },
                 ThrowsMessage<InputError>(HasSubstr("\"a.obj\" has changed")));
   }
@@ -231,7 +233,7 @@ double simulatedInterval(const physics::MotionSettings& motion, int samples) {
 // The paper's claim, tried: particles on stiff springs flip as the rigid body does. Those at
 // vertices are a shell, whose moments are others.
 TEST(PlacedParticles, FlipAsTheRigidBody) {
-  const double rigid = exactInterval(handle("model = \"exact\"\n").motion());
+  const double rigid = exactInterval(handle("model = \"exact\"\n").motions[0]);
   const std::string common =
       "model = \"particles\"\nintegrator = \"verlet\"\ndamping = 0\nnormalize = false\n"
       "stiffness = 1e4\n";
@@ -239,7 +241,7 @@ TEST(PlacedParticles, FlipAsTheRigidBody) {
        {std::pair("equimomental", 100), {"grid:30", 250}, {"vertices", 500}}) {
     const auto motion = handle(common + "particles = \"" + arrangement +
                                "\"\nsubsteps = " + std::to_string(substeps) + "\n")
-                            .motion();
+                            .motions[0];
     const double interval = simulatedInterval(motion, 180);
     if (arrangement != std::string("vertices")) {
       EXPECT_NEAR(interval / rigid, 1, kFlipBound) << arrangement;  // measured 0.017, grid
@@ -249,7 +251,7 @@ TEST(PlacedParticles, FlipAsTheRigidBody) {
 }
 
 TEST(PlacedParticles, AreUpToTwoThousand) {
-  const auto motion = sceneFrom(particles("grid:12", "[body]\nsize = [0.3, 0.3, 0.3]")).motion();
+  const auto motion = sceneFrom(particles("grid:12", "[body]\nsize = [0.3, 0.3, 0.3]")).motions[0];
   EXPECT_EQ(particlesOf(motion).places.size(), 1728U);
   EXPECT_EQ(physics::simulate(motion, 2).samples.size(), 2U);
 }

@@ -82,7 +82,7 @@ TEST(ClipSection, ReadsAndPrintsStretchesOfSpeed) {
   const Scene scene = sceneFrom(
       "[clip]\nfps = 10\nspeed = [{ from = '500 ms', to = 1, value = 0.5 }, "
       "{ from = 1, to = 2, value = 3 }]");
-  EXPECT_EQ(scene.simulation.timePerFrame, 0.1);
+  EXPECT_EQ(scene.timePerFrame(), 0.1);
   EXPECT_EQ(scene.clip.speed->stretches, (std::vector<SpeedStretch>{{0.5, 1, 0.5}, {1, 2, 3}}));
   EXPECT_EQ(timeAt(scene, 20), scene.clip.speed->timeAt(2));
   EXPECT_FALSE(hasEvenTimes(scene));

@@ -21,23 +21,23 @@ TEST(SceneReader, NeedsOnlyASpin) {
   EXPECT_EQ(scene.folder, std::filesystem::path("some/where"));
   EXPECT_EQ(scene.title, "tumbling");
   EXPECT_EQ(scene.caption, "");
-  EXPECT_EQ(scene.initial.kind, InitialSpin::Kind::AngularVelocity);
-  EXPECT_EQ(scene.initial.value, Eigen::Vector3d(0, 0, 6));
-  EXPECT_FALSE(scene.initial.tilt);
-  EXPECT_TRUE(scene.expectations.empty());
+  EXPECT_EQ(scene.motions[0].initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(scene.motions[0].initial.value, Eigen::Vector3d(0, 0, 6));
+  EXPECT_FALSE(scene.motions[0].initial.tilt);
+  EXPECT_TRUE(scene.motions[0].expectations.empty());
 }
 
 TEST(SceneReader, HasTheDocumentedDefaultsOfTheMotion) {
   const Scene scene = sceneFrom("");
-  EXPECT_EQ(scene.body.size, Eigen::Vector3d(0.1878, 0.29085, 0.05));
-  EXPECT_EQ(scene.body.mass, 1);
-  EXPECT_EQ(scene.simulation.model, Model::Quaternion);
-  EXPECT_EQ(scene.simulation.integrator, Integrator::Rk4);
-  EXPECT_EQ(scene.simulation.normalizeEvery, 1);
-  EXPECT_EQ(scene.simulation.damping, 1);
-  EXPECT_EQ(scene.simulation.stiffness, 2000);
-  EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);
-  EXPECT_EQ(scene.simulation.substeps, 64);
+  EXPECT_EQ(scene.motions[0].body.size, Eigen::Vector3d(0.1878, 0.29085, 0.05));
+  EXPECT_EQ(scene.motions[0].body.mass, 1);
+  EXPECT_EQ(scene.motions[0].simulation.model, Model::Quaternion);
+  EXPECT_EQ(scene.motions[0].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(scene.motions[0].simulation.normalizeEvery, 1);
+  EXPECT_EQ(scene.motions[0].simulation.damping, 1);
+  EXPECT_EQ(scene.motions[0].simulation.stiffness, 2000);
+  EXPECT_EQ(scene.timePerFrame(), 1.0 / 60);
+  EXPECT_EQ(scene.motions[0].simulation.substeps, 64);
 }
 
 TEST(SceneReader, HasTheDocumentedDefaultsOfThePicture) {
@@ -49,7 +49,7 @@ TEST(SceneReader, HasTheDocumentedDefaultsOfThePicture) {
   EXPECT_EQ(scene.video.crf, 18);
   EXPECT_EQ(scene.video.preset, "book");
   EXPECT_EQ(scene.video.threads, 1);
-  EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.body, 30, 1280, 720));
+  EXPECT_EQ(scene.cameraPosition, defaultCameraPosition(scene.motions[0].body, 30, 1280, 720));
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d::Zero());
   EXPECT_EQ(scene.camera.up, Eigen::Vector3d::UnitY());
   EXPECT_EQ(scene.camera.fieldOfViewDeg, 30);
@@ -67,17 +67,20 @@ TEST(SceneReader, ReadsTitleAndCaption) {
 }
 
 TEST(SceneReader, SimulatesInRealTimeUnlessTheSceneSaysOtherwise) {
-  EXPECT_EQ(sceneFrom("[clip]\nfps = 25").simulation.timePerFrame, 1.0 / 25);
-  EXPECT_EQ(sceneFrom("[clip]\nfps = '30000/1001'").simulation.timePerFrame, 1001.0 / 30000);
-  EXPECT_EQ(sceneFrom("simulation.time_per_frame = 0.5\nclip.fps = 25").simulation.timePerFrame,
+  EXPECT_EQ(sceneFrom("[clip]\nfps = 25").motions[0].simulation.timePerFrame, 1.0 / 25);
+  EXPECT_EQ(sceneFrom("[clip]\nfps = '30000/1001'").motions[0].simulation.timePerFrame,
+            1001.0 / 30000);
+  EXPECT_EQ(sceneFrom("simulation.time_per_frame = 0.5\nclip.fps = 25")
+                .motions[0]
+                .simulation.timePerFrame,
             0.5);
 }
 
 TEST(SceneReader, PlacesTheCameraByBodyAngleAndPicture) {
   const Scene scene =
       sceneFrom("camera.field_of_view_deg = 50\nbody.size = [1, 2, 3]\nclip.size = [320, 640]");
-  EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.body, 50, 320, 640));
-  EXPECT_EQ(sceneFrom("camera.position = [1, 2, 3]").camera.position, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(scene.cameraPosition, defaultCameraPosition(scene.motions[0].body, 50, 320, 640));
+  EXPECT_EQ(sceneFrom("camera.position = [1, 2, 3]").cameraPosition, Eigen::Vector3d(1, 2, 3));
 }
 
 TEST(SceneReader, NamesTheNearestSectionOrKey) {

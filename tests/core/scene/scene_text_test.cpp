@@ -25,21 +25,24 @@ Scene unusualScene() {
   scene.folder = "some/where";
   scene.title = "\"Quoted\" \\ é";
   scene.caption = "# no comment\nbut broken \t";
-  scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
-  scene.simulation = {
+  scene.motions[0].body = {{0.1, 1.0 / 3, 2e-5}, 7};
+  scene.motions[0].simulation = {
       Model::Particles, physics::Integrator::Euler, 50, 1, 0, 0.3, 1e15, 0.1 / 3, 992};
-  scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
+  scene.motions[0].initial = {
+      InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
-  scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
+  scene.cameraPosition = {1.0 / 7, -2, 3};
+  scene.camera = {scene.cameraPosition, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png", Rgb{1, 0xab, 255}};
   scene.look = {Background::Plain, 2, 8, {0x2b, 0, 9}};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\"", 1.5, germanWords()};
-  scene.expectations = {
+  scene.motions[0].expectations = {
       {Measure::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
       {Measure::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
       {Measure::Stretch, {}, {}, 3, {}, 2, std::numeric_limits<double>::infinity()},
   };
+  scene.motion = scene.motions[0];
   return scene;
 }
 
@@ -55,19 +58,20 @@ TEST(SceneText, ReadsBackToTheSameScene) {
   const std::string text = sceneText(scene);
   const Scene back = readBack(text);
   // A table has each key once, so that bounds on the same quantity come together.
-  std::swap(scene.expectations[1], scene.expectations[2]);
+  for (Motion* motion : {&scene.motion, static_cast<Motion*>(scene.motions.data())})
+    std::swap(motion->expectations[1], motion->expectations[2]);
   EXPECT_TRUE(back == scene) << text;
-  EXPECT_TRUE(std::signbit(back.initial.value.x()));
+  EXPECT_TRUE(std::signbit(back.motions[0].initial.value.x()));
 }
 
 TEST(SceneText, DistinguishesScenes) {
   const Scene scene = unusualScene();
   EXPECT_TRUE(readBack(sceneText(scene)) != scene);  // in the order of the expectations alone
   Scene other = scene;
-  other.initial.value.z() = std::nextafter(other.initial.value.z(), 1);
+  other.motions[0].initial.value.z() = std::nextafter(other.motions[0].initial.value.z(), 1);
   EXPECT_TRUE(other != scene);
   other = scene;
-  other.inertia = Eigen::Matrix3d::Identity();
+  other.motions[0].inertia = Eigen::Matrix3d::Identity();
   EXPECT_TRUE(other != scene);
 }
 
@@ -75,7 +79,8 @@ TEST(SceneText, ReadsBackToTheSameInertia) {
   for (const std::string inertia :
        {"[3.0, 4.0, 5.1]", "[[3, 0.1, 0.2], [0.1, 4, 0.3], [0.2, 0.3, 5]]"}) {
     const Scene scene = sceneFrom("body.inertia = " + inertia);
-    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").inertia, scene.inertia) << sceneText(scene);
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].inertia, scene.motions[0].inertia)
+        << sceneText(scene);
   }
 }
 
@@ -162,11 +167,12 @@ TEST(SceneText, NamesNoPlaceOfTheMachine) {
 
 TEST(SceneText, ReadsBackWhateverTheModelAndTheSpin) {
   Scene scene = unusualScene();
-  scene.expectations.clear();
+  scene.motions[0].expectations.clear();
   for (const Model model : {Model::Particles, Model::Matrix, Model::Quaternion}) {
-    scene.simulation.model = model;
-    scene.initial.kind = InitialSpin::Kind::AngularVelocity;
-    scene.initial.tilt.reset();
+    scene.motions[0].simulation.model = model;
+    scene.motions[0].initial.kind = InitialSpin::Kind::AngularVelocity;
+    scene.motions[0].initial.tilt.reset();
+    scene.motion = scene.motions[0];
     EXPECT_TRUE(readBack(sceneText(scene)) == scene) << sceneText(scene);
   }
 }

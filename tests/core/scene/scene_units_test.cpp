@@ -29,23 +29,24 @@ TEST(SceneUnits, AreReadByTheKeysOfEachDimension) {
       "camera = { position = [0, 0, '120 cm'], target = ['1 in', 0, 0] }\n"
       "expect.tilt_deg = { max = 180, from = '500 ms', to = '2 s' }\n",
       "a.toml");
-  EXPECT_EQ(scene.body.size, Eigen::Vector3d(0.188, 0.24, 0.03));
-  EXPECT_EQ(scene.body.mass, 0.8);
-  EXPECT_EQ(scene.simulation.timePerFrame, 0.004);
-  EXPECT_EQ(scene.initial.value, Eigen::Vector3d(2 * std::numbers::pi, -std::numbers::pi, 1));
-  EXPECT_EQ(scene.initial.tilt->angle, std::numbers::pi / 2);
+  EXPECT_EQ(scene.motions[0].body.size, Eigen::Vector3d(0.188, 0.24, 0.03));
+  EXPECT_EQ(scene.motions[0].body.mass, 0.8);
+  EXPECT_EQ(scene.timePerFrame(), 0.004);
+  EXPECT_EQ(scene.motions[0].initial.value,
+            Eigen::Vector3d(2 * std::numbers::pi, -std::numbers::pi, 1));
+  EXPECT_EQ(scene.motions[0].initial.tilt->angle, std::numbers::pi / 2);
   EXPECT_EQ(scene.clip.duration, 6);
   EXPECT_EQ(scene.clip.poster, 0.25);
-  EXPECT_EQ(scene.camera.position, Eigen::Vector3d(0, 0, 1.2));
+  EXPECT_EQ(scene.cameraPosition, Eigen::Vector3d(0, 0, 1.2));
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d(0.0254, 0, 0));
-  EXPECT_EQ(scene.expectations.front().from, 0.5);
-  EXPECT_EQ(scene.expectations.front().to, 2);
+  EXPECT_EQ(scene.motions[0].expectations.front().from, 0.5);
+  EXPECT_EQ(scene.motions[0].expectations.front().to, 2);
 }
 
 TEST(SceneUnits, AreReadFromOverrides) {
-  EXPECT_EQ(sceneFrom("", {"body.mass=1200 g"}).body.mass, 1.2);
+  EXPECT_EQ(sceneFrom("", {"body.mass=1200 g"}).motions[0].body.mass, 1.2);
   EXPECT_EQ(sceneFrom("", {"clip.duration='2 s'"}).clip.duration, 2);
-  EXPECT_EQ(sceneFrom("", {"body.size=['2 in', 0.1, 0.2]"}).body.size.x(), 0.0508);
+  EXPECT_EQ(sceneFrom("", {"body.size=['2 in', 0.1, 0.2]"}).motions[0].body.size.x(), 0.0508);
 }
 
 TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {

@@ -29,7 +29,7 @@ inline Scene divergingScene() {
 }
 
 inline physics::Trajectory motionOf(const Scene& scene) {
-  return physics::simulate(scene.motion(), scene.clip.frameCount());
+  return physics::simulate(scene.motions[0].motion(), scene.clip.frameCount());
 }
 
 /// Returns the message with which `action` throws an `Expected`; "no error" if it doesn't throw.

@@ -17,7 +17,7 @@ using testing::Not;
 constexpr double kStep = 1.0 / 3840;  // 64 in 1/60 s
 
 double stepOf(const Scene& scene) {
-  return scene.simulation.steps().length();
+  return scene.motions[0].simulation.steps().length();
 }
 
 TEST(Steps, DependOnNeitherRateNorSpeedNorSize) {
@@ -32,10 +32,11 @@ TEST(Steps, DependOnNeitherRateNorSpeedNorSize) {
 TEST(Steps, MayBeStatedByTheirLength) {
   const Scene scene = sceneFrom("simulation.step = '5 ms'");
   EXPECT_EQ(stepOf(scene), 0.005);
-  EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);
+  EXPECT_EQ(scene.timePerFrame(), 1.0 / 60);
   EXPECT_THAT(sceneText(scene), HasSubstr("\nstep = 0.005  # s"));
   EXPECT_THAT(sceneText(scene), Not(HasSubstr("\nsubsteps")));
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").simulation, scene.simulation);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].simulation,
+            scene.motions[0].simulation);
   EXPECT_EQ(errorOf("[simulation]\nstep = 0"),
             "a.toml:2:8: simulation.step must be a time from 1e-9 to 1e9 s, not 0");
   EXPECT_EQ(errorOf("[simulation]\nstep = 0.1\nsubsteps = 3"),
@@ -50,20 +51,20 @@ TEST(Steps, ThatAreCloserReplaceTheOthers) {
   const Scene panels = sceneFrom(
       "simulation.step = 0.5\n[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'\n"
       "simulation.substeps = 2");
-  EXPECT_EQ(panels.panels[0].simulation.steps().length(), 0.5);
-  EXPECT_EQ(panels.panels[1].simulation.steps().length(), 1.0 / 120);
-  EXPECT_EQ(parseScene(sceneText(panels), "a.toml").panels, panels.panels);
+  EXPECT_EQ(panels.motions[0].simulation.steps().length(), 0.5);
+  EXPECT_EQ(panels.motions[1].simulation.steps().length(), 1.0 / 120);
+  EXPECT_EQ(parseScene(sceneText(panels), "a.toml").motions, panels.motions);
 }
 
 TEST(Steps, VaryInGridsStudiesAndMaps) {
   const std::string values = "key = 'simulation.step', values = ['10 ms', '1 ms']";
   const Scene grid = sceneFrom("simulation.substeps = 3\n[grid]\ncolumns = { " + values + " }");
-  EXPECT_EQ(grid.panels[1].simulation.steps().length(), 0.001);
+  EXPECT_EQ(grid.motions[1].simulation.steps().length(), 0.001);
   const Scene study = sceneFrom(
       "simulation.substeps = 3\n[study]\nx = { key = 'simulation.step', values = [0.01, 0.001] }\n"
       "measure = ['half_turns']");
-  EXPECT_EQ(study.study->runs[1].motion.simulation.steps().length(), 0.001);
-  EXPECT_EQ(study.study->runs[1].motion.simulation.timePerFrame, 1.0 / 60);
+  EXPECT_EQ(study.runs[1].motion.simulation.steps().length(), 0.001);
+  EXPECT_EQ(study.runs[1].motion.simulation.timePerFrame, 1.0 / 60);
   EXPECT_EQ(errorOf("[map]\nx = { key = 'simulation.step', from = 0.001, to = 0.1 }\n"
                     "y = { key = 'initial.angular_velocity.2', from = 1, to = 2 }\n"
                     "measure = 'half_turns'"),
@@ -74,7 +75,7 @@ TEST(Steps, OfAStudyAreThoseOfTheMotionWhateverItsSamples) {
   const Scene scene = sceneFrom(
       "[study]\ninterval = 0.25\nx = { key = 'simulation.substeps', values = [64] }\n"
       "measure = ['half_turns']");
-  const physics::MotionSettings& motion = scene.study->runs[0].motion;
+  const physics::MotionSettings& motion = scene.runs[0].motion;
   EXPECT_EQ(motion.simulation.timePerFrame, 0.25);
   EXPECT_EQ(motion.simulation.steps().length(), kStep);
 }

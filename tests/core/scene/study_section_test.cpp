@@ -57,7 +57,7 @@ TEST(StudySection, FindsTheOrdersOfEveryIntegratorByDefault) {
               ElementsAre("1", "2", "4", "8", "16", "32", "64", "128", "256", "512", "1024"));
   EXPECT_EQ(rigid.curves->key, "simulation.integrator");
   EXPECT_EQ(rigid.curves->values.size(), 14U);
-  EXPECT_EQ(rigid.runs.size(), 14U * 11);
+  EXPECT_EQ(sceneFrom("[study]").runs.size(), 14U * 11);
   EXPECT_THAT(rigid.measures, ElementsAre(Measure::Order));
   const StudySettings particles = *sceneFrom("simulation.model = 'particles'\n[study]").study;
   EXPECT_THAT(labelsOf(*particles.curves),
@@ -66,7 +66,9 @@ TEST(StudySection, FindsTheOrdersOfEveryIntegratorByDefault) {
 }
 
 TEST(StudySection, FindsOrdersFromDifferentStepsAlone) {
-  EXPECT_EQ(studyOf("x = { key = 'simulation.step', values = ['1 ms', '2 ms'] }").runs.size(), 28U);
+  EXPECT_EQ(
+      sceneFrom("[study]\nx = { key = 'simulation.step', values = ['1 ms', '2 ms'] }").runs.size(),
+      28U);
   EXPECT_EQ(errorOf("[study]\nx = { key = 'body.mass', values = [1, 2] }"),
             "a.toml:2:5: order, which is measured unless study.measure says otherwise, is found "
             "from different steps, but study.x gives two runs the same; vary simulation.substeps "
@@ -101,30 +103,31 @@ TEST(StudySection, RefusesASingleSample) {
 }
 
 TEST(StudySection, HasAMotionForEachValue) {
-  const StudySettings study =
-      studyOf(overSubsteps("values = [10, 1000]") + "measure = ['diverges_at', 'half_turns']");
-  ASSERT_EQ(study.runs.size(), 2U);
-  EXPECT_EQ(study.runs[0].value, "10");
-  EXPECT_EQ(study.runs[0].motion.simulation.substeps, 10);
-  EXPECT_EQ(study.runs[1].motion.simulation.substeps, 1000);
-  physics::MotionSettings rest = sceneFrom("").motion();
+  const Scene scene = sceneFrom("[study]\n" + overSubsteps("values = [10, 1000]") +
+                                "measure = ['diverges_at', 'half_turns']");
+  const StudySettings& study = *scene.study;
+  ASSERT_EQ(scene.runs.size(), 2U);
+  EXPECT_EQ(scene.runs[0].value, "10");
+  EXPECT_EQ(scene.runs[0].motion.simulation.substeps, 10);
+  EXPECT_EQ(scene.runs[1].motion.simulation.substeps, 1000);
+  physics::MotionSettings rest = sceneFrom("").motions[0];
   rest.simulation.substeps = 1000;
-  EXPECT_EQ(study.runs[1].motion, rest);
+  EXPECT_EQ(scene.runs[1].motion, rest);
   EXPECT_THAT(study.measures, ElementsAre(Measure::DivergesAt, Measure::HalfTurns));
   EXPECT_EQ(study.x.values[0].number, 10.0);
 }
 
 TEST(StudySection, HasThemForEachCurve) {
-  const StudySettings study =
-      studyOf(overSubsteps("values = [1, 2]") +
-              "measure = ['error_deg']\n"
-              "curves = { key = 'simulation.model', values = ['matrix', 'exact'] }");
-  ASSERT_EQ(study.runs.size(), 4U);
-  EXPECT_EQ(study.runs[1].curve, "matrix");
-  EXPECT_EQ(study.runs[1].value, "2");
-  EXPECT_EQ(study.runs[2].curve, "exact");
-  EXPECT_EQ(study.runs[2].motion.simulation.model, Model::Exact);
-  EXPECT_EQ(study.runs[2].motion.simulation.substeps, 1);
+  const Scene scene =
+      sceneFrom("[study]\n" + overSubsteps("values = [1, 2]") +
+                "measure = ['error_deg']\n"
+                "curves = { key = 'simulation.model', values = ['matrix', 'exact'] }");
+  ASSERT_EQ(scene.runs.size(), 4U);
+  EXPECT_EQ(scene.runs[1].curve, "matrix");
+  EXPECT_EQ(scene.runs[1].value, "2");
+  EXPECT_EQ(scene.runs[2].curve, "exact");
+  EXPECT_EQ(scene.runs[2].motion.simulation.model, Model::Exact);
+  EXPECT_EQ(scene.runs[2].motion.simulation.substeps, 1);
 }
 
 TEST(StudySection, TakesRanges) {
@@ -138,32 +141,32 @@ TEST(StudySection, TakesRanges) {
 }
 
 TEST(StudySection, TakesAnyValueWithALabel) {
-  const StudySettings study = studyOf(
-      "measure = ['error_deg']\nx = { key = 'initial.angular_velocity', "
+  const Scene scene = sceneFrom(
+      "[study]\nmeasure = ['error_deg']\nx = { key = 'initial.angular_velocity', "
       "values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");
+  const StudySettings& study = *scene.study;
   EXPECT_THAT(labelsOf(study.x), ElementsAre("x", "y"));
-  EXPECT_EQ(study.runs[1].motion.initial.value, Eigen::Vector3d(0, 4, 0));
+  EXPECT_EQ(scene.runs[1].motion.initial.value, Eigen::Vector3d(0, 4, 0));
   EXPECT_FALSE(study.x.values[0].number.has_value());
 }
 
 TEST(StudySection, ReplacesOneSpinByTheOther) {
-  const StudySettings study = studyOf(
-      "measure = ['error_deg']\nx = { key = 'initial.angular_momentum', "
+  const Scene scene = sceneFrom(
+      "[study]\nmeasure = ['error_deg']\nx = { key = 'initial.angular_momentum', "
       "values = [{ label = 'x', value = [0.1, 0, 0] }] }");
-  EXPECT_EQ(study.runs[0].motion.initial.kind, physics::SpinKind::AngularMomentum);
+  EXPECT_EQ(scene.runs[0].motion.initial.kind, physics::SpinKind::AngularMomentum);
 }
 
 TEST(StudySection, ReachesIntoTablesArraysAndNudges) {
-  const StudySettings every = *sceneFrom(
-                                   "[simulation]\nnormalize = { every = 1 }\n[study]\n"
-                                   "x = { key = 'simulation.normalize.every', values = [1, 50] }\n"
-                                   "measure = ['error_deg']")
-                                   .study;
+  const Scene every = sceneFrom(
+      "[simulation]\nnormalize = { every = 1 }\n[study]\n"
+      "x = { key = 'simulation.normalize.every', values = [1, 50] }\n"
+      "measure = ['error_deg']");
   EXPECT_EQ(every.runs[1].motion.simulation.normalizeEvery, 50);
   const Scene nudged = sceneFrom(
       "[[nudge]]\nat = 1\nangular_velocity = [0, 1, 0]\n[study]\n"
       "x = { key = 'nudge.0.at', values = [2, 3.5] }\nmeasure = ['half_turns']");
-  EXPECT_EQ(nudged.study->runs[1].motion.nudges.at(0).at, 3.5);
+  EXPECT_EQ(nudged.runs[1].motion.nudges.at(0).at, 3.5);
 }
 
 TEST(StudySection, ReadsBackTheSameFromItsText) {
@@ -174,7 +177,7 @@ TEST(StudySection, ReadsBackTheSameFromItsText) {
       "curves = { key = 'simulation.normalize', values = [true, { label = 'seldom', value = "
       "{ every = 9 } }] }\n"
       "expect = [{ of = 'stretch', x = 'x', curve = 'seldom', max = 2 }]");
-  EXPECT_EQ(scene.study->runs[3].motion.simulation.normalizeEvery, 9);
+  EXPECT_EQ(scene.runs[3].motion.simulation.normalizeEvery, 9);
   EXPECT_EQ(*parseScene(sceneText(scene), "a.toml").study, *scene.study);
 }
 
@@ -247,12 +250,12 @@ TEST(StudySection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
 TEST(StudySection, SettlesTheBodyOnceForAllStarts) {
   const std::string particles =
       "[simulation]\nmodel = 'particles'\nparticles = 'grid:7'\nsubsteps = 300\n";
-  const auto runsOf = [&](const std::string& keyAndValues) {
+  const auto runsFrom = [&](const std::string& keyAndValues) {
     const std::string start = "[initial]\nangular_velocity = [4, 0, 0]\ntilt = [0.1, 'z']\n";
     return parseScene(start + particles +
                           "[study]\nmeasure = ['tilt_deg']\nx = { key = " + keyAndValues + " }",
                       "a.toml")
-        .study->runs;
+        .runs;
   };
   for (const char* lines :
        {"'initial.tilt.0', values = [0.2, '3 deg', 1]", "'initial.tilt', values = [0.2, 1]",
@@ -260,12 +263,12 @@ TEST(StudySection, SettlesTheBodyOnceForAllStarts) {
         "{ label = 'x', value = ['1 deg', 'z'] }]",
         "'initial.tilt.1', values = ['z', 'y']",
         "'initial.angular_velocity.1', values = [0.2, 1]"}) {
-    const std::vector<StudyRun> runs = runsOf(lines);
+    const std::vector<StudyRun> runs = runsFrom(lines);
     EXPECT_NE(runs[0].motion, runs[1].motion) << lines;
     for (const StudyRun& run : runs)
       EXPECT_EQ(run.motion.particles.system, runs[0].motion.particles.system) << lines;
   }
-  const std::vector<StudyRun> masses = runsOf("'body.mass', values = [1, 2]");
+  const std::vector<StudyRun> masses = runsFrom("'body.mass', values = [1, 2]");
   EXPECT_NE(masses[0].motion.particles.system, masses[1].motion.particles.system);
 }
 
@@ -275,9 +278,9 @@ TEST(StudySection, GivesStartsAsIfTheyStoodInTheScene) {
       start +
           "[study]\nmeasure = ['tilt_deg']\nx = { key = 'initial.tilt.0', values = ['3 deg', 1] }",
       "a.toml");
-  for (const StudyRun& run : scene.study->runs) {
+  for (const StudyRun& run : scene.runs) {
     const Scene stated = parseScene(start, "a.toml", std::vector{"initial.tilt.0=" + run.value});
-    EXPECT_EQ(run.motion, stated.motion()) << run.value;
+    EXPECT_EQ(run.motion, stated.motions[0]) << run.value;
   }
   EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
                                   "x = { key = 'initial.tilt.0', values = [0.1, 1e7] }"),

@@ -55,7 +55,7 @@ MapResult mapResultOf(const scene::Scene& scene) {
 
 /// The motion at a pixel of overTiltAndSteps().
 MotionSettings motionAt(const scene::Scene& scene, int x, int y) {
-  MotionSettings motion = scene.motion();
+  MotionSettings motion = scene.motions[0].motion();
   motion.simulation.substeps = static_cast<int>(std::round(scene.map->x.at(x, scene.map->width)));
   motion.initial.tilt->angle = scene.map->y.at(y, scene.map->height);
   return motion;
@@ -125,7 +125,7 @@ TEST(Map, LooksWhereItIsToldAndAtTheEnd) {
       "size = [3, 3]\nduration = 1.7\ninterval = 0.3\nmeasure = 'tilt_deg'\n"
       "moment = 'largest'");
   const MapResult result = mapResultOf(scene);
-  MotionSettings motion = scene.motion();
+  MotionSettings motion = scene.motions[0].motion();
   motion.simulation.timePerFrame = scene.map->x.at(2, 3);
   motion.initial.tilt->angle = scene.map->y.at(1, 3);
   const std::vector<double> times{0, 0.3, 0.6, 3 * 0.3, 1.2, 1.5, 1.7};
@@ -140,7 +140,7 @@ TEST(Map, TellsWhenParticlesDiverge) {
               {"simulation.model=particles", "simulation.normalize=false", "simulation.substeps=1",
                "simulation.damping=0"});
   const MapResult result = mapResultOf(scene);
-  MotionSettings motion = scene.motion();
+  MotionSettings motion = scene.motions[0].motion();
   motion.simulation.stiffness = scene.map->x.at(2, 3);
   motion.initial.tilt->angle = scene.map->y.at(0, 2);
   const auto diverged = simulate(motion, 41).divergedAt;
@@ -162,7 +162,7 @@ TEST(Map, MakesOneMotionOfEachLineOverTime) {
                                        mass + "size = [3, 4]\nmeasure = 'tilt_deg'");
     const MapResult result = mapResultOf(scene);
     const int count = isAcross ? 3 : 4, line = 1;
-    MotionSettings motion = scene.motion();
+    MotionSettings motion = scene.motions[0].motion();
     motion.initial.tilt->angle =
         (isAcross ? scene.map->y : scene.map->x).at(line, isAcross ? 4 : 3);
     for (int i = 0; i < count; ++i) {
@@ -181,7 +181,7 @@ TEST(Map, TurnsTheSpin) {
       "size = [4, 3]\nmeasure = 'turned_deg'\nduration = 1.5",
       "a.toml");
   const MapResult result = mapResultOf(scene);
-  MotionSettings motion = scene.motion();
+  MotionSettings motion = scene.motions[0].motion();
   motion.initial.value = 8 * Eigen::Vector3d(std::cos(1.0471975511965976) * std::sqrt(0.5),
                                              std::cos(1.0471975511965976) * std::sqrt(0.5),
                                              std::sin(1.0471975511965976));
@@ -293,7 +293,7 @@ TEST(MapExpectations, AreOfSharesExtremesAndValues) {
   EXPECT_EQ(all[2].measured, 0.25);
   EXPECT_FALSE(all[2].isMet());
   EXPECT_EQ(all[3].subject(), "value at [1, 1]");
-  MotionSettings motion = scene.motion();
+  MotionSettings motion = scene.motions[0].motion();
   motion.simulation.substeps = 1;
   motion.initial.tilt->angle = 1;
   EXPECT_EQ(all[3].measured, simulate(motion, 41).samples.back().halfTurns);

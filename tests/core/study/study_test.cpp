@@ -114,11 +114,11 @@ TEST(Study, ReducesQuantitiesToTheLargestDeparture) {
       energy = std::max(energy, std::fabs(sample.total() / motion.samples[0].total() - 1));
     }
     ASSERT_GT(energy, 1e-3);
-    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::ErrorDeg), error);
-    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::EnergyRatio), energy);
-    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::HalfTurns),
+    EXPECT_EQ(reduced(motion, scene.motions[0].motion(), scene::Measure::ErrorDeg), error);
+    EXPECT_EQ(reduced(motion, scene.motions[0].motion(), scene::Measure::EnergyRatio), energy);
+    EXPECT_EQ(reduced(motion, scene.motions[0].motion(), scene::Measure::HalfTurns),
               motion.samples.back().halfTurns);
-    EXPECT_EQ(reduced(motion, scene.motion(), scene::Measure::DivergesAt), kInfinity);
+    EXPECT_EQ(reduced(motion, scene.motions[0].motion(), scene::Measure::DivergesAt), kInfinity);
   }
 }
 
@@ -175,7 +175,7 @@ TEST(StudyOfOrders, HasTheStepAndTheLargestErrorOfEachRun) {
   EXPECT_EQ(study.rows[0].curve, "splitting");
   EXPECT_EQ(study.rows[0].step, 1.0 / 24 / 16);
   EXPECT_EQ(study.rows[1].step, 1.0 / 24);
-  physics::MotionSettings settings = scene.motion();
+  physics::MotionSettings settings = scene.motions[0].motion();
   settings.simulation.integrator = physics::Integrator::Rk4;
   settings.simulation.substeps = 8;
   const physics::Trajectory motion = simulate(settings, scene.clip.frameCount());
@@ -250,7 +250,7 @@ TEST(StudyOfOrders, TakesTheSameStepsAtAnyInterval) {
 // Only steps without a solution are a row's end; what is wrong with the scene is the caller's.
 TEST(Study, PassesOtherErrorsOn) {
   scene::Scene scene = twoIntegrators();
-  scene.study->runs[3].motion.simulation.integrator = physics::Integrator::Verlet;
+  scene.runs[3].motion.simulation.integrator = physics::Integrator::Verlet;
   EXPECT_EQ(scene::testing::messageOf<InputError>([&] { resultOf(scene); }),
             "this model doesn't have this integrator");
 }

@@ -27,7 +27,8 @@ ClipMotion growing(const scene::Scene& scene, const std::function<double(double)
   physics::Trajectory trajectory;
   trajectory.interval = scene.clip.frameRate.period();
   for (std::int64_t n = 0; n < kFrames; ++n) {
-    trajectory.samples.emplace_back().cage = sizeAt(static_cast<double>(n)) * scene.body.corners();
+    trajectory.samples.emplace_back().cage =
+        sizeAt(static_cast<double>(n)) * scene.motions[0].body.corners();
   }
   if (diverges) trajectory.divergedAt = 3;
   return {{trajectory}, scene.clip.frameRate};
@@ -93,7 +94,7 @@ TEST(CameraDistances, ComeBackSlowly) {
 TEST(CameraDistances, UseTheRoomOfAFartherCamera) {
   const scene::Scene near = kFollowing;
   const std::string position =
-      "camera.position=[0, 0, " + std::to_string(2 * near.camera.position.norm()) + "]";
+      "camera.position=[0, 0, " + std::to_string(2 * near.cameraPosition.norm()) + "]";
   const scene::Scene far = spinning({"camera.follow='size'", position});
   const auto doubling = [](double frame) { return frame < 90 ? 1.0 : 2.0; };
   EXPECT_EQ(distancesOf(far, growing(far, doubling)).back(), 1);

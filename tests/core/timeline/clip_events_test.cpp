@@ -53,7 +53,7 @@ TEST(ClipEvents, TellWhenNothingTurnsOver) {
 
 TEST(ClipEvents, TellOfNudgesAndTheEnd) {
   scene::Scene scene;
-  scene.nudges.push_back({.at = 0.15});
+  scene.motions[0].nudges.push_back({.at = 0.15});
   physics::Trajectory motion = turning({0, 0, 0});
   motion.divergedAt = 0.3;
   EXPECT_THAT(eventsOf(scene, {motion}), ElementsAre("2 0.15 nudged", "3 0.3 flew apart"));
@@ -61,9 +61,9 @@ TEST(ClipEvents, TellOfNudgesAndTheEnd) {
 
 TEST(ClipEvents, NameTheMotionsOfAComparison) {
   scene::Scene scene;
-  scene.panels.resize(2);
-  scene.panels[0].label = "one";
-  scene.panels[1].label = "two";
+  scene.motions.resize(2);
+  scene.motions[0].label = "one";
+  scene.motions[1].label = "two";
   EXPECT_THAT(
       eventsOf(scene, {turning({0, 0, 1}), turning({0, 1, 1})}),
       ElementsAre("1 0.1 two: turned over, first time", "2 0.2 one: turned over, first time"));

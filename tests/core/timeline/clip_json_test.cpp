@@ -40,9 +40,9 @@ std::string jsonOf(const scene::Scene& scene, std::size_t motions = 1) {
 TEST(ClipJson, HoldsEachSampleOfEachMotion) {
   scene::Scene scene;
   scene.clip.frameRate = {30000, 1001};
-  scene.panels.resize(2);
-  scene.panels[0].label = "a";
-  scene.panels[1].label = "<b>";
+  scene.motions.resize(2);
+  scene.motions[0].label = "a";
+  scene.motions[1].label = "<b>";
   const std::string json = jsonOf(scene, 2);
   EXPECT_TRUE(rotatebook::isResultOf("clip", json));
   EXPECT_THAT(json, HasSubstr(R"("scene_xxh128": "c0ffee", "motion_xxh128": "decade", )"
@@ -68,7 +68,7 @@ TEST(ClipJson, HoldsTheTimesOfFramesWhereTheSpeedChanges) {
 
 TEST(ClipJson, SaysWhetherThereAreSprings) {
   scene::Scene scene;
-  scene.simulation.model = physics::Model::Particles;
+  scene.motions[0].simulation.model = physics::Model::Particles;
   EXPECT_THAT(jsonOf(scene), HasSubstr("\"springs\": true"));
 }
 

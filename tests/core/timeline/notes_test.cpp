@@ -104,7 +104,7 @@ TEST(Notes, AreMadeOnARegimeThatChanges) {
   const auto noteWith = [](const std::string& settings) {
     const scene::Scene scene = sceneWith(
         "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"z\"]\n" + settings);
-    return regimeNote(simulateScene(scene).trajectories().front(), scene.nudges);
+    return regimeNote(simulateScene(scene).trajectories().front(), scene.motions[0].nudges);
   };
   EXPECT_THAT(noteWith("simulation.integrator = \"euler\"\n"),
               StartsWith("the regime changes from 1 to -1 at "));
@@ -117,7 +117,7 @@ TEST(Notes, TakeARegimeThatANudgeChangesForWhatItIs) {
       "[[nudge]]\nat = 1\nangular_velocity = [0, 0, 0.5]\n");
   const physics::Trajectory trajectory = simulateScene(scene).trajectories().front();
   EXPECT_NE(trajectory.samples.front().regime, trajectory.samples.back().regime);
-  EXPECT_EQ(regimeNote(trajectory, scene.nudges), "");
+  EXPECT_EQ(regimeNote(trajectory, scene.motions[0].nudges), "");
   EXPECT_NE(regimeNote(trajectory, {}), "");
 }
 

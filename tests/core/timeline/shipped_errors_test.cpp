@@ -88,7 +88,7 @@ TEST(ShippedClips, AreThereThatAreExcused) {
 }
 
 double flipIntervalOf(const std::string& name, std::size_t motion = 0) {
-  return spinOf(scene::motionsOf(scene::shippedScene(name)).at(motion)).flipInterval().value();
+  return spinOf(scene::shippedScene(name).motions.at(motion)).flipInterval().value();
 }
 
 // What captions say of exact motions that aren't theirs, or by what is between two flips.
@@ -107,7 +107,7 @@ TEST(ShippedCaptions, CallTheOutlineBesideSpringsARigidBook) {
   std::set<std::string> springs;
   for (const std::string& name : clips()) {
     const scene::Scene scene = scene::shippedScene(name);
-    if (scene::motionsOf(scene).front().simulation.model != physics::Model::Particles) continue;
+    if (scene.motions.front().simulation.model != physics::Model::Particles) continue;
     if (scene.caption.find("outline") == std::string::npos) continue;
     springs.insert(name);
     EXPECT_NE(scene.caption.find("rigid book"), std::string::npos) << name;
@@ -134,7 +134,7 @@ TEST(ShippedCaptions, SayThatTheWheelsThrowTurnsOverAboutX) {
 
 TEST(ShippedCaptions, SayTheDaysOfToutatis) {
   constexpr double kDay = 86400;  // [s]
-  const SpinPeriod period = *spinOf(scene::shippedScene("bodies/toutatis").motion()).period;
+  const SpinPeriod period = *spinOf(scene::shippedScene("bodies/toutatis").motions[0]).period;
   EXPECT_NEAR(period.time / kDay, 5.4, 0.1);  // measured 5.35
   const double aboutL = 2 * std::numbers::pi / (period.axisTurn / period.time);
   EXPECT_NEAR(aboutL / kDay, 7.5, 0.1);  // measured 7.49

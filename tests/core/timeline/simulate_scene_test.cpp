@@ -18,10 +18,10 @@ namespace {
 /// A book in real time, but for a second at half its speed.
 scene::Scene slowedScene() {
   scene::Scene scene;
-  scene.initial.value = {5, 0.1, 0};
+  scene.motions[0].initial.value = {5, 0.1, 0};
   scene.clip.frameRate = {10, 1};
   scene.clip.duration = 4;
-  scene.simulation.timePerFrame = 0.1;
+  scene.motions[0].simulation.timePerFrame = 0.1;
   scene.clip.speed = scene::PlaybackSpeed{.stretches = {{1, 2, 0.5}}};
   return scene;
 }
@@ -100,7 +100,7 @@ TEST(SimulateScene, HoldsThePictureAtASpeedOfZero) {
 TEST(ShutterMoments, AreOfTheSameMotionWhateverTheSteps) {
   for (const int substeps : {1, 3, 16, 20}) {
     scene::Scene scene = slowedScene();
-    scene.simulation.substeps = substeps;
+    scene.motions[0].simulation.substeps = substeps;
     const ClipMotion sharp = simulateScene(scene);
     scene.look.motionBlur = 4;
     const ShutterMoments moments(scene);

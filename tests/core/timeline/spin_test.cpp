@@ -31,7 +31,7 @@ MotionSettings motionOf(const Eigen::Vector3d& inertia, const Eigen::Vector3d& v
 }
 
 MotionSettings bookWith(const std::string& initial) {
-  return scene::parseScene("[initial]\n" + initial, "s.toml").motion();
+  return scene::parseScene("[initial]\n" + initial, "s.toml").motions[0];
 }
 
 /// Numbers of a motion, computed at 50 digits by the closed form and by a Taylor integration.
@@ -219,7 +219,7 @@ TEST(Spin, TakesMomentsThatOnlyRoundingPartsForEqual) {
                                "[initial]\nangular_velocity = { about = 'smallest', "
                                "value = 5 }",
                                "s.toml")
-                 .motion());
+                 .motions[0]);
   EXPECT_EQ(tensor.equal, EqualMoments::TwoLargest);
   EXPECT_TRUE(tensor.isSteady);
   EXPECT_FALSE(tensor.margin || tensor.growth || tensor.period);
@@ -227,14 +227,14 @@ TEST(Spin, TakesMomentsThatOnlyRoundingPartsForEqual) {
       "[[body.part]]\nshape = 'cylinder'\nturn = ['33 deg', 'x']\n[initial]\n";
   const Spin named = spinOf(
       scene::parseScene(cylinder + "angular_velocity = { about = 'smallest', value = 5 }", "s.toml")
-          .motion());
+          .motions[0]);
   EXPECT_EQ(named.equal, EqualMoments::TwoLargest);
   EXPECT_TRUE(named.isSteady);
   const Spin tilted =
       spinOf(scene::parseScene(cylinder + "angular_velocity = { about = 'smallest', "
                                           "value = 5 }\ntilt = [0.01, 'x']",
                                "s.toml")
-                 .motion());
+                 .motions[0]);
   EXPECT_FALSE(tilted.isSteady);
   EXPECT_NEAR(tilted.offAxis, 0.01, 1e-12);  // measured 1e-17 off
 }

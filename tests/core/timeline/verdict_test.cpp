@@ -59,9 +59,9 @@ TEST(Verdict, TellsTheShippedEnginesApart) {
   const ClipMotion motion = simulateScene(scene);
   const Errs expected[] = {Errs::Hardly,    Errs::SpinIsFixed, Errs::Inconsistently,
                            Errs::GainsBoth, Errs::Hardly,      Errs::Hardly};
-  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
-    EXPECT_EQ(judge(scene.panels[i].motion(), motion.trajectories()[i]).errs, expected[i])
-        << scene.panels[i].label;
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    EXPECT_EQ(judge(scene.motions[i].motion(), motion.trajectories()[i]).errs, expected[i])
+        << scene.motions[i].label;
   }
 }
 

@@ -287,7 +287,7 @@ TEST(ArrowLabels, OfTheFiguresMeetNothing) {
                            Shown{"figures/figa-exact", 700},                // measured 760
                            Shown{"comparisons/axes", 0}}) {
     const scene::Scene whole = scene::shippedScene(one.name);
-    for (const scene::Panel& motion : scene::motionsOf(whole)) {
+    for (const scene::Panel& motion : whole.motions) {
       SCOPED_TRACE(one.name);
       const Seen seen = Clip(scene::withMotion(whole, motion)).seen();
       EXPECT_EQ(seen.missing, 0);

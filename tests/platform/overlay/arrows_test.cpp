@@ -13,7 +13,7 @@ struct Setting {
       : scene(asked), trajectory(testing::motionOf(scene)), type() {}
 
   OverlayContext context() const { return {scene, trajectory, type, Scale(320, 180)}; }
-  double reach() const { return scene.body.size.norm() / 2; }
+  double reach() const { return scene.motions[0].body.size.norm() / 2; }
 
   scene::Scene scene;
   physics::Trajectory trajectory;

@@ -33,7 +33,7 @@ TEST(Projector, FindsTheCamera) {
   const scene::Scene scene = testing::tumbling();
   for (const int bottomRows : {0, 200}) {
     const Projector projector(testing::clipFromWorld(scene, bottomRows), 1280, 720);
-    EXPECT_LT((projector.eye() - scene.camera.position).norm(), 1e-9);
+    EXPECT_LT((projector.eye() - scene.cameraPosition).norm(), 1e-9);
     const auto middle = projector(scene.camera.target);
     ASSERT_TRUE(middle);
     EXPECT_LT((*middle - Point(640, (720 - bottomRows) / 2.0)).norm(), 1e-9);
@@ -43,7 +43,7 @@ TEST(Projector, FindsTheCamera) {
 TEST(Projector, ShowsNothingThatIsBehindTheCamera) {
   const scene::Scene scene = testing::tumbling();
   const Projector projector(testing::clipFromWorld(scene, 0), 1280, 720);
-  EXPECT_FALSE(projector(2 * scene.camera.position));
+  EXPECT_FALSE(projector(2 * scene.cameraPosition));
 }
 
 }  // namespace

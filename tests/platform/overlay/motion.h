@@ -46,7 +46,7 @@ inline std::string namesOfMotionOverlays() {
 }
 
 inline physics::Trajectory motionOf(const scene::Scene& scene) {
-  return physics::simulate(scene.motion(), scene.clip.frameCount());
+  return physics::simulate(scene.motions[0].motion(), scene.clip.frameCount());
 }
 
 /// A picture of the clip's size in one grey, 0 to 255.
@@ -90,11 +90,11 @@ inline double contrastOf(const Box& text, const image::Image& picture) {
 /// The projection of the scene's camera onto the rows above `bottomRows`.
 inline Eigen::Matrix4d clipFromWorld(const scene::Scene& scene, int bottomRows) {
   const scene::CameraSettings& camera = scene.camera;
-  const Eigen::Vector3d back = (camera.position - camera.target).normalized();
+  const Eigen::Vector3d back = (scene.cameraPosition - camera.target).normalized();
   const Eigen::Vector3d right = camera.up.cross(back).normalized();
   Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
   view.topLeftCorner<3, 3>() << right.transpose(), back.cross(right).transpose(), back.transpose();
-  view.topRightCorner<3, 1>() = -view.topLeftCorner<3, 3>() * camera.position;
+  view.topRightCorner<3, 1>() = -view.topLeftCorner<3, 3>() * scene.cameraPosition;
   const double share = 1 - static_cast<double>(bottomRows) / scene.clip.height;
   const double scale = 1 / std::tan(camera.fieldOfViewDeg * 3.14159265358979323846 / 360);
   Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();

@@ -106,7 +106,7 @@ TEST(MotionOverlays, HaveAGhostThatNoIntegratorMoves) {
 
 TEST(MotionOverlays, LeaveOutWhatTheModelHasNot) {
   scene::Scene scene = tumbling({kSmall});
-  scene.simulation.model = physics::Model::Exact;
+  scene.motions[0].simulation.model = physics::Model::Exact;
   scene.overlay.show = {scene::Overlay::Springs, scene::Overlay::Error, scene::Overlay::Ghost};
   EXPECT_EQ(drawn(scene, 30), greyPicture(scene));
 }
@@ -197,7 +197,7 @@ TEST(OverlayList, HasAFactoryForEachOverlayOfOneMotion) {
   const Typesetter type;
   const OverlayContext context{scene, trajectory, type, Scale(320, 180)};
   for (const scene::OverlayRow& row : scene::kOverlayRows) {
-    ASSERT_TRUE(isFor(scene.simulation, row.overlay)) << row.name;
+    ASSERT_TRUE(isFor(scene.motions[0].simulation, row.overlay)) << row.name;
     EXPECT_EQ(makeOverlay(row.overlay, context, {0, 0, 80, 60}) == nullptr,
               row.placement == scene::Placement::WholeClip)
         << row.name;

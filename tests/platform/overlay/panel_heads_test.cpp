@@ -32,9 +32,9 @@ scene::Scene pairOf(const std::string& first, const std::string& second,
 
 std::vector<physics::Trajectory> simulated(const scene::Scene& scene) {
   std::vector<physics::Trajectory> motions;
-  for (const scene::Panel& panel : scene.panels) {
+  for (const scene::Panel& panel : scene.motions) {
     const scene::Scene one = scene::withMotion(scene, panel);
-    motions.push_back(physics::simulate(one.motion(), one.clip.frameCount()));
+    motions.push_back(physics::simulate(one.motions[0].motion(), one.clip.frameCount()));
   }
   return motions;
 }
@@ -145,7 +145,7 @@ TEST(PanelHeads, OfATextlessSceneAreEmpty) {
 
 /// Panels of a picture, `across` beside each other.
 PanelCells cellsOf(const scene::Scene& scene, int across) {
-  const int count = static_cast<int>(scene.panels.size()), down = (count + across - 1) / across;
+  const int count = static_cast<int>(scene.motions.size()), down = (count + across - 1) / across;
   PanelCells cells{.width = scene.clip.width / across,
                    .height = scene.clip.height / down,
                    .letters = 0.028 * std::min(scene.clip.width, scene.clip.height)};
@@ -156,11 +156,11 @@ PanelCells cellsOf(const scene::Scene& scene, int across) {
 
 scene::Scene several(const std::vector<std::string>& labels, const std::string& size) {
   scene::Scene scene = pairOf("a", "b", {"clip.size=" + size, "clip.duration=1"});
-  const scene::Panel panel = scene.panels[0];
-  scene.panels.clear();
+  const scene::Panel panel = scene.motions[0];
+  scene.motions.clear();
   for (const std::string& label : labels) {
-    scene.panels.push_back(panel);
-    scene.panels.back().label = label;
+    scene.motions.push_back(panel);
+    scene.motions.back().label = label;
   }
   return scene;
 }
@@ -255,7 +255,7 @@ TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
 std::string refusalOf(const std::string& label, const std::string& size, int height = 0) {
   try {
     scene::Scene scene = pairOf("a", "b", {"clip.size=" + size});
-    scene.panels[1].label = label;
+    scene.motions[1].label = label;
     const std::vector<physics::Trajectory> motions = simulated(scene);
     PanelCells cells = cellsOf(scene);
     if (height > 0) cells.height = height;

@@ -85,11 +85,11 @@ std::vector<std::string> textsOf(const scene::Scene& scene) {
   using Position = CaptionAndClock::ClockPosition;
   Recording recording;
   image::Image picture = testing::greyPicture(scene);
-  CaptionAndClock caption(scene, scene.panels.empty() ? Position::TopLeft : Position::Bottom);
+  CaptionAndClock caption(scene, !scene.hasPanels() ? Position::TopLeft : Position::Bottom);
   std::vector<physics::Trajectory> motions;
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+  for (const scene::Panel& panel : scene.motions) {
     const scene::Scene single = scene::withMotion(scene, panel);
-    physics::Trajectory motion = physics::simulate(single.motion(), kFrames);
+    physics::Trajectory motion = physics::simulate(single.motions[0], kFrames);
     motion.divergedAt = 1.25;
     motions.push_back(motion);
     MotionOverlays overlays = testing::overlaysOf(single, motion);
@@ -98,9 +98,9 @@ std::vector<std::string> textsOf(const scene::Scene& scene) {
       caption.draw(frame, picture);
     }
   }
-  if (!scene.panels.empty()) {
+  if (scene.hasPanels()) {
     PanelCells cells{scene.clip.width, scene.clip.height};
-    cells.corners.resize(scene.panels.size(), Point(0, 0));
+    cells.corners.resize(scene.motions.size(), Point(0, 0));
     PanelHeads(scene, motions, cells).draw(kFrames, picture);
   }
   return recording.texts;
@@ -110,7 +110,7 @@ std::vector<std::string> textsOf(const scene::Scene& scene) {
 void expectNoOtherWords(scene::Scene scene, std::set<std::string>& seen) {
   scene.overlay.words = markers();
   std::set<std::string> own{scene.title, scene.caption};
-  for (const scene::Panel& panel : scene.panels) own.insert(panel.label);
+  for (const scene::Panel& panel : scene.motions) own.insert(panel.label);
   for (const std::string& text : textsOf(scene)) {
     if (own.contains(text)) continue;
     EXPECT_EQ(foreignParts(text), "") << scene.name << ": " << text;

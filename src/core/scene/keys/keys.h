@@ -11,7 +11,7 @@
 namespace rotatebook::scene {
 
 /// Keys outside all sections.
-Keys<Scene> titleKeys();
+Keys<Spec> titleKeys();
 
 Keys<physics::MotionSettings> bodyKeys();
 Keys<physics::SimulationSettings> simulationKeys();

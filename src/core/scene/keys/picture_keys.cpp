@@ -153,16 +153,16 @@ std::string wordsText(const Words& words) {
 
 }  // namespace
 
-Keys<Scene> titleKeys() {
-  static constexpr auto keys = allOf(
-      Affects::Text,
-      std::array{
-          text<&Scene::title>("title", kLongestTitle,
-                              {.meaning = "stored in the clip, shown by the overlay `caption`",
-                               .byDefault = "the file's name"}),
-          lines<&Scene::caption>("caption", kLongestCaption,
-                                 {.meaning = "likewise", .byDefault = "empty"}),
-      });
+Keys<Spec> titleKeys() {
+  static constexpr auto keys =
+      allOf(Affects::Text,
+            std::array{
+                text<&Spec::title>("title", kLongestTitle,
+                                   {.meaning = "stored in the clip, shown by the overlay `caption`",
+                                    .byDefault = "the file's name"}),
+                lines<&Spec::caption>("caption", kLongestCaption,
+                                      {.meaning = "likewise", .byDefault = "empty"}),
+            });
   return keys;
 }
 

@@ -137,7 +137,8 @@ void refuseManySamples(const ValueReader& section, std::size_t cells, const Clip
 
 }  // namespace
 
-GridSettings readGrid(const ValueReader& section, const ValueReader& file) {
+GridSettings readGrid(const ValueReader& section, const ValueReader& file,
+                      const ClipSettings& clip) {
   refuseOtherSections(file);
   GridSettings grid;
   readKeys(section, gridKeys(), grid);
@@ -154,6 +155,7 @@ GridSettings readGrid(const ValueReader& section, const ValueReader& file) {
   }
   const auto axisIn = [](const std::optional<Axis>& axis) { return axis ? &*axis : nullptr; };
   kGridExpectations.check(section, {axisIn(grid.columns), axisIn(grid.rows)});
+  refuseManySamples(section, columns.count() * rows.count(), clip);
   return grid;
 }
 
@@ -164,7 +166,6 @@ std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shar
   std::vector<Panel> cells = motionsOfCells(columns, rows, file, spec, shared);
   refuseUnusedKey(columns, cells);
   refuseUnusedKey(rows, cells);
-  refuseManySamples(section, cells.size(), spec.clip);
   return cells;
 }
 

@@ -1,4 +1,4 @@
-// What follows from the Spec of a scene. Inside the room only.
+// From the Spec of a scene to all that follows. Inside the room only.
 #pragma once
 
 #include "base/document/value_reader.h"

@@ -171,7 +171,7 @@ struct Spec {
   BookSettings book;
   LookSettings look;
   OverlaySettings overlay;
-  /// What all panels, cells and runs have in common; not complete with panels.
+  /// The common part of all panels, cells and runs; not complete with panels.
   Motion motion;
   /// None, or 2 to 6, which have taken from `motion` what they don't state.
   std::vector<Panel> panels;

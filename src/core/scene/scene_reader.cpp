@@ -70,7 +70,7 @@ Spec readSpec(const ValueReader& file, Spec spec) {
   problems.note([&] {
     readSpeed(file, spec);
     if (const auto panels = file.find("panel")) spec.panels = readPanels(*panels, file);
-    if (const auto grid = file.find("grid")) spec.grid = readGrid(*grid, file);
+    if (const auto grid = file.find("grid")) spec.grid = readGrid(*grid, file, spec.clip);
   });
   problems.throwIfAny();
   if (spec.panels.empty()) problems.note([&] { checkMotion(file, spec.motion.simulation); });

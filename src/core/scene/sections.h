@@ -66,8 +66,10 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
 /// its location.
 std::vector<document::TomlNode> mergedPanels(const ValueReader& panels, const ValueReader& file);
 
-/// Reads `section`, [grid] of `file`. Throws InputError.
-GridSettings readGrid(const ValueReader& section, const ValueReader& file);
+/// Reads `section`, [grid] of `file`. Throws InputError, also if its books have too many samples
+/// in `clip`.
+GridSettings readGrid(const ValueReader& section, const ValueReader& file,
+                      const ClipSettings& clip);
 /// Returns the motions of the cells of the scene's grid, row by row; `file` is what the scene was
 /// read from. Throws InputError.
 std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shared& shared);

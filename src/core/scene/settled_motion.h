@@ -7,11 +7,11 @@
 
 namespace rotatebook::scene {
 
-/// What all motions of a scene have in common.
+/// The common part of all motions of a scene.
 struct Shared {
   /// Their timePerFrame and substepped.
   physics::SimulationSettings clock;
-  const MeshFiles& meshes;  ///< What was read of their files.
+  const MeshFiles& meshes;  ///< As far as they were read.
 };
 
 /// Returns what the motions of a scene have in common.

@@ -87,13 +87,13 @@ void requireJoinable(const fs::path& folder, const std::optional<Manifest>& ther
   const bool holds = hasFrames(folder);
   const bool awaits = knowsSettings(there) && !there->finished;
   if (!holds && !awaits) return;
-  throw InputError(folder.string() +
-                   (holds ? " holds frames with other settings"
-                          : " awaits the frames of a part that began with other settings") +
-                   (knowsSettings(there)
-                        ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
-                        : "") +
-                   "; render into another folder with -o, or " + remedy);
+  throw InputError(fmt::format(
+      "{} {} with other settings{}; render into another folder with -o, or {}", folder.string(),
+      holds ? "holds frames" : "awaits the frames of a part that began",
+      knowsSettings(there)
+          ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
+          : "",
+      remedy));
 }
 
 void requireReplaceableFiles(const std::vector<fs::path>& files) {

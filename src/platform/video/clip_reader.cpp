@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
-extern "C" {
 #include <fmt/core.h>
+
+extern "C" {
 #include <libavutil/pixdesc.h>
 }
 

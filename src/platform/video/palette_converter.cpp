@@ -2,13 +2,14 @@
 
 #include <string>
 
-extern "C" {
 #include <fmt/core.h>
+
+extern "C" {
 #include <libavfilter/buffersink.h>
 #include <libavfilter/buffersrc.h>
+}
 
 #include "base/text.h"
-}
 
 namespace rotatebook::video {
 namespace {

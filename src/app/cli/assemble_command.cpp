@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/frame_rate.h"
 #include "base/text.h"
@@ -40,15 +42,14 @@ void refuseFrames(const AssembleArguments& arguments) {
 
 /// Returns, for example, ": 0:60 of the scene's 90".
 std::string partText(const pipeline::Assembled& made) {
-  return ": " + store::rangeText(made.frames) + " of the scene's " +
-         std::to_string(*made.sceneFrames);
+  return fmt::format(": {} of the scene's {}", store::rangeText(made.frames), *made.sceneFrames);
 }
 
 int assembleFrames(const AssembleArguments& arguments) {
   const std::optional<FrameRate> rate = parseFrameRate(arguments.frameRate);
   if (!rate && !arguments.frameRate.empty()) {
-    throw InputError("--fps " + arguments.frameRate +
-                     ": not a frame rate; write for example 60 or 30000/1001");
+    throw InputError(fmt::format("--fps {}: not a frame rate; write for example 60 or 30000/1001",
+                                 arguments.frameRate));
   }
   refuseFrames(arguments);
   pipeline::Assembled made;
@@ -60,16 +61,16 @@ int assembleFrames(const AssembleArguments& arguments) {
         arguments.whole);
   }
   if (made.unlisted > 0) {
-    std::cerr << "note: " + store::framesText(made.unlisted) + " of them without a checksum in " +
-                     store::kFrameChecksumsName +
-                     ": whole PNGs, but maybe not as they were drawn\n";
+    std::cerr << fmt::format(
+        "note: {} of them without a checksum in {}: whole PNGs, but maybe not as they were drawn\n",
+        countText(made.unlisted, "frame"), store::kFrameChecksumsName);
   }
   for (const pipeline::LostColours& lost : made.lost) {
-    std::cerr << "note: " + store::framesText(lost.frames) +
-                     (lost.frames == 1 ? " has " : " have ") + lost.text + "\n";
+    std::cerr << fmt::format("note: {} {} {}\n", countText(lost.frames, "frame"),
+                             lost.frames == 1 ? "has" : "have", lost.text);
   }
-  std::cout << "wrote " << store::framesText(made.frames.count()) << " to "
-            << oneLine(arguments.output) << (made.isPart() ? partText(made) : "") << '\n';
+  std::cout << fmt::format("wrote {} to {}{}\n", countText(made.frames.count(), "frame"),
+                           oneLine(arguments.output), made.isPart() ? partText(made) : "");
   return kDone;
 }
 

@@ -4,9 +4,10 @@
 #include <array>
 #include <string>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/text.h"
-#include "cli/formatted.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -35,26 +36,22 @@ Row rowOf(Stage stage) {
   return *std::ranges::find(rows, stage, &Row::stage);
 }
 
-std::string coresText(int cores) {
-  return std::to_string(cores) + (cores == 1 ? " core" : " cores");
-}
-
 std::string limitText(const pipeline::SpeedLimit& limit, const pipeline::Speed& speed) {
-  const std::string bound =
-      formatted("  limit: %.2f ms a frame, %.1f frames/s; the render took %.2f times that\n",
-                limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall);
-  const std::string stage = std::string("\"") + rowOf(limit.stage).label + "\"";
-  if (limit.ofCores) {
-    return bound + "  what limits: the " + coresText(speed.cores) + ", which are busiest with " +
-           stage + "\n";
-  }
-  return bound + "  what limits: " + stage +
-         ", for which the other stages wait while cores are idle\n";
+  const char* stage = rowOf(limit.stage).label;
+  const std::string what =
+      limit.ofCores
+          ? fmt::format("the {}, which are busiest with \"{}\"", countText(speed.cores, "core"),
+                        stage)
+          : fmt::format("\"{}\", for which the other stages wait while cores are idle", stage);
+  return fmt::format(
+      "  limit: {:.2f} ms a frame, {:.1f} frames/s; the render took {:.2f} times that\n"
+      "  what limits: {}\n",
+      limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall, what);
 }
 
 std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Speed& speed) {
-  return formatted("    %-24s up to %.2f times as fast, %.0f frames/s; %s\n", advice.change.c_str(),
-                   advice.gain, advice.gain * speed.framesPerSecond(), advice.effect.c_str());
+  return fmt::format("    {:<24} up to {:.2f} times as fast, {:.0f} frames/s; {}\n", advice.change,
+                     advice.gain, advice.gain * speed.framesPerSecond(), advice.effect);
 }
 
 std::string json(const WorkTime& time) {
@@ -70,23 +67,22 @@ std::string json(const pipeline::StageTimes& stages) {
 }  // namespace
 
 void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
-  out << scene.name << ": " << speed.frames << " frames, "
-      << sizeText(scene.clip.width, scene.clip.height) << ", PNGs and MP4\n"
-      << "  renderer " << speed.renderer << "; encoder " << speed.encoder << "; "
-      << coresText(speed.cores) << '\n'
-      << formatted(
-             "  %.1f frames/s, %.2f ms a frame, %.2f ms of processor time; started in %.2f s\n",
-             speed.framesPerSecond(), speed.whole.wall, speed.whole.processor, speed.startUp)
-      << formatted("  drawing alone: %.1f frames/s, %.2f ms a frame, %.2f ms of processor time\n",
-                   1000 / speed.drawing.wall, speed.drawing.wall, speed.drawing.processor)
-      << formatted("\n  %-20s %9s %10s %7s\n", "each stage alone", "ms/frame", "processor",
-                   "share");
+  out << fmt::format(
+      "{}: {} frames, {}, PNGs and MP4\n"
+      "  renderer {}; encoder {}; {}\n"
+      "  {:.1f} frames/s, {:.2f} ms a frame, {:.2f} ms of processor time; started in {:.2f} s\n"
+      "  drawing alone: {:.1f} frames/s, {:.2f} ms a frame, {:.2f} ms of processor time\n\n"
+      "  each stage alone      ms/frame  processor   share\n",
+      scene.name, speed.frames, sizeText(scene.clip.width, scene.clip.height), speed.renderer,
+      speed.encoder, countText(speed.cores, "core"), speed.framesPerSecond(), speed.whole.wall,
+      speed.whole.processor, speed.startUp, 1000 / speed.drawing.wall, speed.drawing.wall,
+      speed.drawing.processor);
   const double sum = speed.stages.processorSum();
   for (const Row& row : rowsOf(speed.stages)) {
-    out << formatted("  %-20s %9.2f %10.2f %5.0f %%\n", row.label, row.time.wall,
-                     row.time.processor, 100 * row.time.processor / sum);
+    out << fmt::format("  {:<20} {:9.2f} {:10.2f} {:5.0f} %\n", row.label, row.time.wall,
+                       row.time.processor, 100 * row.time.processor / sum);
   }
-  out << formatted("  %-20s %9s %10.2f\n\n", "all", "", sum);
+  out << fmt::format("  {:<30} {:10.2f}\n\n", "all", sum);
   out << limitText(speedLimit(speed.stages, speed.cores), speed);
   const auto advice = speedAdvice(scene, speed);
   if (!advice.empty()) out << "  what would help:\n";

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include <Eigen/Geometry>
+#include <fmt/core.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -40,12 +41,9 @@ SortedAxes sortedAxes(const Matrix3d& inertia) {
 
 /// Returns the vector for people: components that are only rounding, beside `scale`, are 0.
 std::string bodyVectorText(const Vector3d& vector, double scale, int digits) {
-  return "(" +
-         joinedOf(vector,
-                  [&](double number) {
-                    return roundedText(std::fabs(number) < 1e-12 * scale ? 0 : number, digits);
-                  }) +
-         ")";
+  return fmt::format("({})", joinedOf(vector, [&](double number) {
+                       return roundedText(std::fabs(number) < 1e-12 * scale ? 0 : number, digits);
+                     }));
 }
 
 /// Returns the rate at which a deviation from a spin about the middle axis grows, as a share of the
@@ -65,35 +63,38 @@ std::string axisText(const Vector3d& axis) {
 
 std::string momentsText(const SortedAxes& sorted) {
   return joinedOf(std::array{0, 1, 2}, [&](int i) {
-    return roundedText(sorted.moments[i], 6) + (i == 0 ? " kg m^2" : "") + " about " +
-           axisText(sorted.axes.col(i));
+    return fmt::format("{}{} about {}", roundedText(sorted.moments[i], 6), i == 0 ? " kg m^2" : "",
+                       axisText(sorted.axes.col(i)));
   });
 }
 
 std::string pairText(const std::array<std::size_t, 2>& triangles) {
-  return "triangles " + std::to_string(triangles[0] + 1) + " and " +
-         std::to_string(triangles[1] + 1);
+  return fmt::format("triangles {} and {}", triangles[0] + 1, triangles[1] + 1);
 }
 
 /// Returns what there is to say about the surface.
 std::string surfaceText(const std::optional<BodySurface>& surface) {
   if (!surface) return "the book, a cuboid";
-  std::string text = std::to_string(surface->triangles) + " triangles, " +
-                     (surface->shells == 1 ? "one closed surface"
-                                           : std::to_string(surface->shells) +
-                                                 " closed surfaces, which add up: also where they "
-                                                 "overlap; one that faces inward takes away");
-  for (const std::string& note : surface->notes) text += "\n  note        " + note;
+  const std::string shells =
+      surface->shells == 1
+          ? "one closed surface"
+          : fmt::format(
+                "{} closed surfaces, which add up: also where they overlap; one that faces "
+                "inward takes away",
+                surface->shells);
+  std::vector<std::string> notes = surface->notes;
   if (surface->crossing) {
-    text += "\n  note        " + pairText(*surface->crossing) +
-            " cross each other; what a surface encloses twice counts twice";
+    notes.push_back(pairText(*surface->crossing) +
+                    " cross each other; what a surface encloses twice counts twice");
   }
   if (surface->overlap) {
-    text +=
-        "\n  note        " + pairText(*surface->overlap) +
-        " meet at an edge around which something is enclosed twice, or taken away where nothing "
-        "is; it counts so";
+    notes.push_back(
+        pairText(*surface->overlap) +
+        " meet at an edge around which something is enclosed twice, or taken away where "
+        "nothing is; it counts so");
   }
+  std::string text = fmt::format("{} triangles, {}", surface->triangles, shells);
+  for (const std::string& note : notes) text += "\n  note        " + note;
   return text;
 }
 
@@ -102,17 +103,19 @@ std::string surfaceText(const std::optional<BodySurface>& surface) {
 void reportBody(const BodyNumbers& numbers, std::ostream& output) {
   const body::MassProperties& body = numbers.properties;
   const auto [moments, axes] = sortedAxes(body.inertia);
-  output << "  body        " << surfaceText(numbers.surface) << "\n  volume      "
-         << roundedText(body.volume, 6) << " m^3\n  mass        " << roundedText(body.mass, 6)
-         << " kg\n  centre      " << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
-         << " m\n  inertia     about the centre [kg m^2]\n";
+  output << fmt::format(
+      "  body        {}\n  volume      {} m^3\n  mass        {} kg\n  centre      {} m\n"
+      "  inertia     about the centre [kg m^2]\n",
+      surfaceText(numbers.surface), roundedText(body.volume, 6), roundedText(body.mass, 6),
+      bodyVectorText(body.centre, std::cbrt(body.volume), 6));
   for (int row = 0; row < 3; ++row)
     output << "              " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
   output << "  moments     " << momentsText({moments, axes}) << '\n';
   const double growth = growthOf(moments);
   if (growth > 1e-6) {
-    output << "  middle axis a spin of w about it is unstable: deviations grow as e^("
-           << roundedText(growth, 4) << " w t)\n";
+    output << fmt::format(
+        "  middle axis a spin of w about it is unstable: deviations grow as e^({} w t)\n",
+        roundedText(growth, 4));
   } else {
     output << "  middle axis two moments are equal, or nearly so: no spin is unstable\n";
   }

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <system_error>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/text.h"
@@ -29,9 +31,9 @@ void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
 
 store::ClipPart partOf(const std::string& text) {
   if (const auto part = store::parsePart(text)) return *part;
-  throw InputError("--part " + text +
-                   ": not a part; write its number and how many there are, 1/16 " +
-                   "to 16/16 for 16 parts");
+  throw InputError(fmt::format(
+      "--part {}: not a part; write its number and how many there are, 1/16 to 16/16 for 16 parts",
+      text));
 }
 
 void addRetryStatus(CLI::App& command) {
@@ -53,8 +55,8 @@ video::VideoFormat parseFormat(const std::string& name) {
     if (name == nameOf(format)) return format;
     names.push_back(nameOf(format));
   }
-  throw InputError("--format " + name + ": unknown; there are " + quotedList(names, "and") +
-                   didYouMean(name, names));
+  throw InputError(fmt::format("--format {}: unknown; there are {}{}", name,
+                               quotedList(names, "and"), didYouMean(name, names)));
 }
 
 }  // namespace
@@ -97,15 +99,14 @@ video::VideoFormat formatOf(const std::string& output) {
     const std::string_view own = rowOf(format).ending;
     if (ending == own) return format;
     if (lowerCase(ending) == own) {
-      throw InputError("--output " + output + ": videos end in small letters; write " +
-                       fs::path(path).replace_extension(own).string());
+      throw InputError(fmt::format("--output {}: videos end in small letters; write {}", output,
+                                   fs::path(path).replace_extension(own).string()));
     }
     endings.push_back(own);
   }
-  throw InputError("--output " + output + ": no video ends in " + quotedText(ending) +
-                   "; there are " + quotedList(endings, "and") +
-                   "; for a folder of this name, write " + output + "/" +
-                   didYouMean(ending, endings));
+  throw InputError(fmt::format(
+      "--output {0}: no video ends in {1}; there are {2}; for a folder of this name, write {0}/{3}",
+      output, quotedText(ending), quotedList(endings, "and"), didYouMean(ending, endings)));
 }
 
 /// Throws InputError if both folders and videos are named, of which a render makes one.
@@ -113,9 +114,10 @@ void refuseBoth(const std::vector<std::string>& outputs) {
   const auto folder = std::ranges::find_if(outputs, isFolder);
   const auto video = std::ranges::find_if_not(outputs, isFolder);
   if (folder == outputs.end() || video == outputs.end()) return;
-  throw InputError("--output " + *folder + " and --output " + *video +
-                   ": a render fills a folder, or makes the videos that are named; name the "
-                   "folder alone, with --format, or the videos alone");
+  throw InputError(fmt::format(
+      "--output {} and --output {}: a render fills a folder, or makes the videos that are named; "
+      "name the folder alone, with --format, or the videos alone",
+      *folder, *video));
 }
 
 }  // namespace
@@ -124,8 +126,8 @@ Destination destinationOf(const std::vector<std::string>& outputs, std::size_t s
   refuseBoth(outputs);
   if (isFolder(outputs.back())) return {outputs.back(), "", {}};
   if (scenes > 1) {
-    throw InputError("--output " + outputs.back() + ": one video for " + std::to_string(scenes) +
-                     " scenes; name a folder");
+    throw InputError(
+        fmt::format("--output {}: one video for {} scenes; name a folder", outputs.back(), scenes));
   }
   const fs::path last(outputs.back());
   const fs::path folder = last.has_parent_path() ? last.parent_path() : fs::path(".");
@@ -133,8 +135,9 @@ Destination destinationOf(const std::vector<std::string>& outputs, std::size_t s
   for (const std::string& output : outputs) {
     const fs::path path(output);
     if (path.parent_path() != last.parent_path() || path.stem() != last.stem()) {
-      throw InputError("--output " + output + " and --output " + last.string() +
-                       ": the videos of a render have one name, but for the ending");
+      throw InputError(fmt::format(
+          "--output {} and --output {}: the videos of a render have one name, but for the ending",
+          output, last.string()));
     }
     const video::VideoFormat format = formatOf(output);
     if (std::ranges::count(destination.formats, format) == 0) destination.formats.push_back(format);
@@ -146,11 +149,11 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   if (!scene::isTransparent(scene)) return;
   for (const video::VideoFormat format : formats) {
     if (keepsTransparency(format)) continue;
-    throw InputError(
-        scene.name + ": " + std::string(nameOf(format)) +
-        " can't hold the transparent background of look.background; use " +
-        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
-        " as --format, or --no-mp4 for PNGs alone");
+    throw InputError(fmt::format(
+        "{}: {} can't hold the transparent background of look.background; use {} as --format, or "
+        "--no-mp4 for PNGs alone",
+        scene.name, nameOf(format),
+        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency)));
   }
 }
 

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
@@ -62,8 +64,8 @@ void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
   if (work == farm::Work::Render) return;
   for (const CLI::Option* option : arguments.ofRender) {
     if (option->count() == 0) continue;
-    throw InputError(option->get_name() + " is for submit render; submit " + nameOf(work) +
-                     " draws no clip: leave it out");
+    throw InputError(fmt::format("{} is for submit render; submit {} draws no clip: leave it out",
+                                 option->get_name(), nameOf(work)));
   }
   if (work != farm::Work::Study || arguments.chunk == 0) return;
   throw InputError("--chunk: a study is one task; leave it out");
@@ -147,9 +149,10 @@ void divide(farm::Plan& plan, const std::vector<SceneOfFile>& scenes,
     try {
       parts = farm::partsOf(measureEfforts(plan, scenes, arguments.deviceOptions.parsed()), slots);
     } catch (const MachineError& error) {
-      throw MachineError(std::string("can't measure how fast a task is: ") + error.what() +
-                         "; say how many " + farm::unitsOf(plan.work) +
-                         " each is to have with --chunk");
+      throw MachineError(
+          fmt::format("can't measure how fast a task is: {}; say how many {} each is "
+                      "to have with --chunk",
+                      error.what(), farm::unitsOf(plan.work)));
     }
   }
   for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
@@ -186,7 +189,7 @@ int printScripts(const farm::StoredPlan& stored, const farm::PlanFiles& files,
   for (const farm::Task& task : farm::missingTasks(stored.plan, files))
     missing.push_back(task.number);
   const auto print = [&](const fs::path& path, const std::string& text) {
-    std::cout << "==> " << oneLine(path.string()) << " <==\n" << text << '\n';
+    std::cout << fmt::format("==> {} <==\n{}\n", oneLine(path.string()), text);
   };
   const auto script = [&](const std::vector<std::int64_t>& tasks) {
     return jobScript(stored.plan, files, tasks, arguments.job, limits.requeues75);

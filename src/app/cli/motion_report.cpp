@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <span>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -36,18 +38,14 @@ std::string secondsText(double time) {
   return shortestText(std::round(time * digits) / digits);
 }
 
-std::string flipsText(std::size_t made) {
-  return std::to_string(made) + (made == 1 ? " flip" : " flips");
-}
-
 /// Returns "3 flips, at 2.43, 6.82, 11.2 s"; of many the first ones.
 std::string flipsText(const MotionSummary& summary) {
   constexpr std::size_t kMaxListed = 8;
-  const std::string text = flipsText(summary.flips.size());
+  const std::string text = countText(std::ssize(summary.flips), "flip");
   if (summary.flips.empty()) return text;
   const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
-  return text + ", at " + joinedOf(shown, secondsText) +
-         (shown.size() < summary.flips.size() ? " ... s" : " s");
+  return fmt::format("{}, at {}{} s", text, joinedOf(shown, secondsText),
+                     shown.size() < summary.flips.size() ? " ..." : "");
 }
 
 }  // namespace
@@ -57,13 +55,13 @@ std::string distanceText(const MotionSummary& summary) {
   const double farthest = *summary.errorDeg;
   if (farthest < 1) {
     const std::string bound = roundedUp(farthest, 1);
-    return "within " + bound + (bound == "1" ? " degree" : " degrees") + " of the exact motion";
+    return fmt::format("within {} degree{} of the exact motion", bound, bound == "1" ? "" : "s");
   }
-  const std::string text =
-      "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) + " degrees from the exact motion";
+  const std::string text = fmt::format("up to {} degrees from the exact motion",
+                                       roundedUp(std::min(farthest, kHalfTurnDeg), 3));
   if (!summary.visibleFrom) return text;
-  return text + "; more than " + shortestText(timeline::kVisibleErrorDeg) + " from " +
-         secondsText(*summary.visibleFrom) + " s on";
+  return fmt::format("{}; more than {} from {} s on", text,
+                     shortestText(timeline::kVisibleErrorDeg), secondsText(*summary.visibleFrom));
 }
 
 std::string energyText(const MotionSummary& summary) {
@@ -71,7 +69,8 @@ std::string energyText(const MotionSummary& summary) {
   const double change = std::max(1 - lowest, highest - 1);
   if (change == 0) return "energy kept exactly";
   if (change < kVisibleChange) return "energy kept to " + roundedUp(change, 1);
-  return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
+  return fmt::format("energy {} to {} of its start", roundedText(lowest, 4),
+                     roundedText(highest, 4));
 }
 
 namespace {
@@ -83,8 +82,8 @@ void printNotes(const scene::Scene& scene, const std::vector<std::string>& notes
   const std::size_t shown = scene.grid ? std::min(notes.size(), kMaxOfGrid) : notes.size();
   for (std::size_t i = 0; i < shown; ++i) out << "note: " + notes[i] + '\n';
   if (shown == notes.size()) return;
-  out << "note: " + scene.name + ": " + std::to_string(notes.size() - shown) +
-             " more notes on other books of the grid; --json has all\n";
+  out << fmt::format("note: {}: {} more notes on other books of the grid; --json has all\n",
+                     scene.name, notes.size() - shown);
 }
 
 }  // namespace
@@ -117,9 +116,9 @@ void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
   const auto [fewest, most] = std::ranges::minmax(motions, {}, flipsOf);
   const auto diverged = std::ranges::count_if(
       motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
-  out << "  " << motions.size() << " motions: " << fewest.flips.size() << " to "
-      << flipsText(most.flips.size()) << "; "
-      << (diverged > 0 ? std::to_string(diverged) : std::string("none")) << " diverged\n";
+  out << fmt::format("  {} motions: {} to {}; {} diverged\n", motions.size(), fewest.flips.size(),
+                     countText(std::ssize(most.flips), "flip"),
+                     diverged > 0 ? std::to_string(diverged) : "none");
   for (const MotionSummary& summary : motions) {
     if (summary.expectations.empty()) continue;
     out << "  " << summary.motion.label << ":\n";
@@ -137,8 +136,8 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
   if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
-    out << "  " << flipsText(summary) << "; " << energyText(summary) << "; "
-        << distanceText(summary) << '\n';
+    out << fmt::format("  {}; {}; {}\n", flipsText(summary), energyText(summary),
+                       distanceText(summary));
     reportExpectations(summary, out);
   }
 }
@@ -167,29 +166,31 @@ void reportSimulationAsJson(const scene::Scene& scene, const std::vector<Written
 
 namespace {
 
-const char* verdict(bool met) {
-  return met ? "met      " : "not met  ";
+std::string lineOf(bool met, const std::string& subject, const std::string& expected,
+                   const std::string& measured) {
+  return fmt::format("{:<9}{}: expected {}; measured {}", met ? "met" : "not met", subject,
+                     expected, measured);
 }
 
 }  // namespace
 
 std::string reportLine(const scene::ExpectationResult& result) {
-  return verdict(result.met) + std::string(nameOf(result.expectation.measure)) +
-         windowText(result.expectation) + ": expected " + expectedText(result.expectation) +
-         "; measured " + measuredText(result);
+  const scene::Expectation& expectation = result.expectation;
+  return lineOf(result.met, std::string(nameOf(expectation.measure)) + windowText(expectation),
+                expectedText(expectation), measuredText(result));
 }
 
 std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured) {
   const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
-  return verdict(bounds.hold(measured)) + subject + ": expected " + expectedText(expectation) +
-         "; measured " + measuredText(measured, expectation);
+  return lineOf(bounds.hold(measured), subject, expectedText(expectation),
+                measuredText(measured, expectation));
 }
 
 void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out) {
   if (summary.divergedAt) {
-    out << (summary.divergesUnexpectedly ? "  not met  no divergence is expected; " : "  ")
-        << "the motion diverges at " << shortestText(std::round(*summary.divergedAt * 1e4) / 1e4)
-        << " s, after " << summary.frames << " frames\n";
+    out << fmt::format("  {}the motion diverges at {} s, after {} frames\n",
+                       summary.divergesUnexpectedly ? "not met  no divergence is expected; " : "",
+                       shortestText(std::round(*summary.divergedAt * 1e4) / 1e4), summary.frames);
   }
   for (const scene::ExpectationResult& result : summary.expectations) {
     out << "  " << reportLine(result) << '\n';

@@ -6,6 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -92,9 +94,11 @@ void drawThumbnails(const ReadScenes& shown, const PageArguments& arguments,
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     refuseInputs(fileOf(i), shown.inputs, kOtherFolder);
-    const std::string remedy = "the page's picture of " + shown.scenes[i].name +
-                               " would replace it; rename the scene, or make the page without it "
-                               "by --no-thumbnails";
+    const std::string remedy = fmt::format(
+        "the page's picture of {} would replace it; rename the scene, or make the page without it "
+        "by "
+        "--no-thumbnails",
+        shown.scenes[i].name);
     store::refuseResultsOfOthers({store::ResultKind::Clip, shown.scenes[i].name}, {fileOf(i)},
                                  remedy);
     store::refusePictureOfOthers(fileOf(i), remedy);
@@ -155,9 +159,8 @@ void writePack(const PackToWrite& all, const PageArguments& arguments) {
   page::writePack(all.figures, html, all.pack, [](const std::string& file) {
     std::cerr << "packing " << oneLine(file) << '\n';
   });
-  std::cout << "wrote " << oneLine(all.pack.target.string()) << ", "
-            << roundedText(static_cast<double>(sizeOf(all.pack.target)) / 1e6, 3)
-            << " MB for the web\n";
+  std::cout << fmt::format("wrote {}, {} MB for the web\n", oneLine(all.pack.target.string()),
+                           roundedText(static_cast<double>(sizeOf(all.pack.target)) / 1e6, 3));
 }
 
 /// Throws InputError if there is a page that isn't of this program.
@@ -180,8 +183,8 @@ int writePage(const PageArguments& arguments) {
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
   }
-  std::cout << "wrote " << oneLine(path.string()) << ", " << figures.size()
-            << (figures.size() == 1 ? " figure\n" : " figures\n");
+  std::cout << fmt::format("wrote {}, {}\n", oneLine(path.string()),
+                           countText(std::ssize(figures), "figure"));
   if (pack) writePack(*pack, arguments);
   return kDone;
 }

@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -57,7 +58,7 @@ void writeOne(const scene::Scene& scene, const StillArguments& arguments,
               const std::string& output) {
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
-  std::cout << scene.name << ": wrote frame " << frame << " to " << oneLine(output) << '\n';
+  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(output));
 }
 
 void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& arguments,
@@ -68,8 +69,8 @@ void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& a
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
   image::writePng(output, sheet.view(), transparent);
-  std::cout << "wrote " << oneLine(output) << ", " << sizeText(sheet.width(), sheet.height())
-            << '\n';
+  std::cout << fmt::format("wrote {}, {}\n", oneLine(output),
+                           sizeText(sheet.width(), sheet.height()));
 }
 
 int writeStill(const StillArguments& arguments) {
@@ -136,12 +137,10 @@ struct DiffArguments {
 };
 
 void printComparison(const image::Comparison& comparison) {
-  std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(),
-                "%s: largest difference %d of 255, mean %.4f, %lld pixels (%.4f %%) over the bound",
-                comparison.same ? "same" : "different", comparison.largest, comparison.mean,
-                static_cast<long long>(comparison.differingPixels), comparison.differingPercent);
-  std::cout << text.data() << '\n';
+  std::cout << fmt::format(
+      "{}: largest difference {} of 255, mean {:.4f}, {} pixels ({:.4f} %) over the bound\n",
+      comparison.same ? "same" : "different", comparison.largest, comparison.mean,
+      comparison.differingPixels, comparison.differingPercent);
 }
 
 int diff(const DiffArguments& arguments) {

@@ -53,7 +53,7 @@ std::string writtenText(const pipeline::RenderResult& result,
   std::vector<std::string> items;
   for (const fs::path& file : filesOf(result, options)) items.push_back(file.string());
   if (const std::string folder = frameFolder(result, options); !folder.empty()) {
-    items.push_back(store::framesText(result.framesWritten) + " in " + folder);
+    items.push_back(countText(result.framesWritten, "frame") + " in " + folder);
   }
   return listed(items);
 }
@@ -119,7 +119,7 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
     return;
   }
   if (result.framesKept > 0) {
-    out << "  kept " << store::framesText(result.framesKept) << " of an earlier run" << std::endl;
+    out << "  kept " << countText(result.framesKept, "frame") << " of an earlier run" << std::endl;
   }
   if (result.interrupted && result.framesWritten == 0) {
     out << "  interrupted before the first frame; nothing was written" << std::endl;
@@ -127,7 +127,7 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
   }
   if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
   if (!result.interrupted) return reportMotions(rendered.motions, out);
-  out << "  interrupted after " << store::framesText(result.framesWritten)
+  out << "  interrupted after " << countText(result.framesWritten, "frame")
       << (hasPng(options.outputs) ? "; go on with the same command and --resume" : "") << std::endl;
 }
 

@@ -7,10 +7,11 @@
 #include <string>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "cli/formatted.h"
 #include "cli/motion_report.h"
 #include "scene/expectation_text.h"
 #include "scene/names.h"
@@ -34,13 +35,12 @@ bool isOfOrdersAlone(const StudySettings& study) {
 
 std::string orderLine(const study::CurveOrder& order) {
   const study::OrderFit& fit = order.fit;
-  const std::string line = order.curve.empty() ? "" : formatted("%-16s ", order.curve.c_str());
+  const std::string curve = order.curve.empty() ? "" : fmt::format("{:<16} ", order.curve);
   if (std::isnan(fit.order)) {
-    return line + "no order: " + std::to_string(fit.runs) + " usable runs, " +
-           std::to_string(study::kMinRuns) + " needed";
+    return fmt::format("{}no order: {} usable runs, {} needed", curve, fit.runs, study::kMinRuns);
   }
-  return line + formatted("order %5.2f from %2d runs, steps of %.3g to %.3g s", fit.order, fit.runs,
-                          fit.shortest, fit.longest);
+  return fmt::format("{}order {:5.2f} from {:2} runs, steps of {:.3g} to {:.3g} s", curve,
+                     fit.order, fit.runs, fit.shortest, fit.longest);
 }
 
 /// Returns "euler: 3 of 11 runs diverged"; empty if no run ended like that.
@@ -50,8 +50,8 @@ std::string failureLine(const study::Study& result, const std::string& curve, Ru
   const auto failed = std::ranges::count_if(
       result.rows, [&](const StudyRow& row) { return row.curve == curve && row.end.kind == kind; });
   if (failed == 0) return "";
-  return "  " + (curve.empty() ? "" : curve + ": ") + std::to_string(failed) + " of " +
-         std::to_string(runs) + " runs " + outcome + "\n";
+  return fmt::format("  {}{} of {} runs {}\n", curve.empty() ? "" : curve + ": ", failed, runs,
+                     outcome);
 }
 
 /// Returns "matrix, 10: diverges_at 4.5, half_turns 2; diverged at 4.5 s".
@@ -63,11 +63,11 @@ std::string runLine(const StudyRow& row, const StudySettings& study) {
                              : std::isinf(value) ? "not within " + roundedText(row.length, 4) + " s"
                                                  : roundedText(value, 4);
     const bool isError = study.measures[i] == Measure::Order;
-    numbers.push_back((isError ? "error_deg" : std::string(nameOf(study.measures[i]))) + " " +
-                      text);
+    numbers.push_back(
+        fmt::format("{} {}", isError ? "error_deg" : nameOf(study.measures[i]), text));
   }
   const std::string end = row.end.kind == RunEnd::Kind::Whole ? "" : "; " + row.end.text();
-  return joined({row.curve, row.value}) + ": " + joined(numbers) + end;
+  return fmt::format("{}: {}{}", joined({row.curve, row.value}), joined(numbers), end);
 }
 
 std::string expectedJson(const study::StudyExpectation& expected) {

@@ -80,7 +80,7 @@ void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) 
   row(candidate.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
   row("",
       joined({kindOf(check), check.vendor, "OpenGL " + check.version,
-              fmt::format("{} sample{}", check.samples, check.samples == 1 ? "" : "s"), nodes}),
+              countText(check.samples, "sample"), nodes}),
       out);
   row("", referenceText(check.reference), out);
 }

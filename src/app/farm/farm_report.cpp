@@ -17,10 +17,6 @@ using Kind = TaskState::Kind;
 /// The most tasks of a kind that are listed one by one.
 constexpr int kMaxListed = 20;
 
-std::string tasksText(std::int64_t count) {
-  return fmt::format("{} task{}", count, count == 1 ? "" : "s");
-}
-
 /// Returns "45 s", "12 min" or "3 h 5 min".
 std::string timeText(double seconds) {
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));
@@ -53,7 +49,8 @@ void printWaiting(const PlanState& state, std::ostream& out) {
   std::string reason;
   for (const TaskState& task : state.tasks)
     if (task.kind == Kind::Waiting && reason.empty()) reason = task.reason;
-  out << "  waiting: " << tasksText(waiting) << (reason.empty() ? "" : " (" + reason + ")") << '\n';
+  out << "  waiting: " << countText(waiting, "task") << (reason.empty() ? "" : " (" + reason + ")")
+      << '\n';
 }
 
 void printState(const PlanState& state, std::ostream& out) {
@@ -66,8 +63,8 @@ void printState(const PlanState& state, std::ostream& out) {
           << " are there\n";
     }
   }
-  out << "  done: " << state.count(Kind::Done) << " of " << tasksText(std::ssize(state.tasks))
-      << '\n';
+  out << "  done: " << state.count(Kind::Done) << " of "
+      << countText(std::ssize(state.tasks), "task") << '\n';
   printTasks(state, Kind::Running, out);
   printWaiting(state, out);
   printTasks(state, Kind::Failed, out);
@@ -119,16 +116,16 @@ void reportSubmission(const Plan& plan, const Submission& submission, std::ostre
     return;
   }
   if (submission.done > 0) {
-    out << tasksText(submission.done) << " of " << submission.tasks
+    out << countText(submission.done, "task") << " of " << submission.tasks
         << (submission.done == 1 ? " was" : " were") << " done before\n";
   }
   if (submission.queued > 0) {
-    out << tasksText(submission.queued) << (submission.queued == 1 ? " is" : " are")
+    out << countText(submission.queued, "task") << (submission.queued == 1 ? " is" : " are")
         << " in the queue already\n";
   }
   if (!submission.array.empty()) {
-    out << "sent " << tasksText(std::ssize(submission.sent)) << " as job " << submission.array
-        << '\n';
+    out << "sent " << countText(std::ssize(submission.sent), "task") << " as job "
+        << submission.array << '\n';
   }
   if (!submission.join.empty())
     out << "sent job " << submission.join << ", which joins the results after them\n";

@@ -110,10 +110,6 @@ std::vector<std::string> partChecksumsIn(const fs::path& folder) {
   return names;
 }
 
-std::string framesText(std::int64_t count) {
-  return fmt::format("{} frame{}", count, count == 1 ? "" : "s");
-}
-
 fs::path ClipFiles::video(video::VideoFormat format) const {
   return videoStem.string() + std::string(rowOf(format).ending);
 }

@@ -65,9 +65,6 @@ std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 /// Returns whether `folder` exists and holds frames. Throws InputError if it can't be read.
 bool hasFrames(const std::filesystem::path& folder);
 
-/// Returns "1 frame", "720 frames".
-std::string framesText(std::int64_t count);
-
 /// Endings that a render appends to a clip's name while it runs; no scene's name may end in one.
 inline constexpr const char* kPartialEnding = ".partial";
 inline constexpr const char* kReplacedEnding = ".replaced";

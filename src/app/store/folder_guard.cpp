@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "store/clip_record.h"
 #include "store/fingerprint.h"
 #include "store/frame_checksums.h"
@@ -23,7 +24,8 @@ namespace fs = std::filesystem;
 std::string contentText(const fs::path& folder, const std::optional<Manifest>& there) {
   if (there && there->finished) return folder.string() + " holds the frames of a clip";
   if (!hasFrames(folder)) return folder.string() + " holds a scene.toml that no render left there";
-  return fmt::format("{} holds {} of {}", folder.string(), framesText(std::ssize(framesIn(folder))),
+  return fmt::format("{} holds {} of {}", folder.string(),
+                     countText(std::ssize(framesIn(folder)), "frame"),
                      knowsSettings(there) ? "a render that wasn't finished" : "unknown origin");
 }
 

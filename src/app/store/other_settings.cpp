@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "system/file_checksum.h"
 
 namespace rotatebook::store {
@@ -35,7 +36,7 @@ std::vector<Manifest::Render> rendersOf(const Manifest& manifest) {
 std::string framesOfOtherSettings(const ClipFiles& files, const std::optional<Manifest>& there,
                                   const Manifest::Entries& made) {
   if (isMadeWith(there, made) || !hasFrames(files.frameFolder)) return "";
-  return fmt::format("{} in {}/{}", framesText(std::ssize(framesIn(files.frameFolder))),
+  return fmt::format("{} in {}/{}", countText(std::ssize(framesIn(files.frameFolder)), "frame"),
                      files.frameFolder.string(), knowsSettings(there) ? "" : kUnknownSettings);
 }
 

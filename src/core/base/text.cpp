@@ -136,6 +136,10 @@ std::string listed(const std::vector<std::string>& parts, std::string_view lastW
   return text;
 }
 
+std::string countText(std::int64_t count, std::string_view one) {
+  return std::to_string(count) + ' ' + std::string(one) + (count == 1 ? "" : "s");
+}
+
 std::string_view withoutByteOrderMark(std::string_view text) {
   constexpr std::string_view kMark = "\xEF\xBB\xBF";
   if (text.starts_with(kMark)) text.remove_prefix(kMark.size());

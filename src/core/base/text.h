@@ -34,6 +34,9 @@ std::string listed(const std::vector<std::string>& parts, std::string_view lastW
 /// Returns `text` without the byte order mark that it may begin with.
 std::string_view withoutByteOrderMark(std::string_view text);
 
+/// Returns "1 frame" or "2 frames", for `one` "frame".
+std::string countText(std::int64_t count, std::string_view one);
+
 /// Returns a size as "640x360".
 std::string sizeText(std::int64_t width, std::int64_t height);
 

@@ -31,8 +31,7 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
   for (std::string_view word = words.word(); !word.empty(); word = words.word())
     corners.push_back(cornerOf(word, mesh.points.size(), words));
   if (corners.size() < 3) {
-    words.fail("a face has " + std::to_string(corners.size()) +
-               (corners.size() == 1 ? " corner" : " corners") +
+    words.fail("a face has " + countText(std::ssize(corners), "corner") +
                "; it must have three or more: take it away");
   }
   addPolygon(corners, mesh);

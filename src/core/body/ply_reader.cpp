@@ -256,8 +256,7 @@ class MeshBuilder {
     for (std::int64_t i = 0; i < length; ++i)
       corners.push_back(vertexOf(numbers_.next(property.type)));
     if (corners.size() < 3) {
-      numbers_.fail("a face has " + std::to_string(corners.size()) +
-                    (corners.size() == 1 ? " corner" : " corners") +
+      numbers_.fail("a face has " + countText(std::ssize(corners), "corner") +
                     "; it must have three or more: take it away");
     }
     if (static_cast<std::int64_t>(mesh_.points.size()) == vertices_) {

@@ -118,8 +118,7 @@ void CsvTable::addRow(std::string_view line, std::size_t number) {
 }
 
 std::string CsvTable::namedText() const {
-  return ", but the header names " + std::to_string(header_.size()) +
-         (header_.size() == 1 ? " column" : " columns");
+  return ", but the header names " + countText(std::ssize(header_), "column");
 }
 
 void CsvTable::failShort(const std::string& remedy) const {

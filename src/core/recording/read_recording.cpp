@@ -192,7 +192,7 @@ ReadOptions after(double zero, ReadOptions options) {
 
 std::string droppedNote(const SensorRows& rows) {
   if (rows.dropped == 0) return "";
-  return std::to_string(rows.dropped) + (rows.dropped == 1 ? " row" : " rows") +
+  return countText(static_cast<std::int64_t>(rows.dropped), "row") +
          " without a reading at the table's ends left out";
 }
 

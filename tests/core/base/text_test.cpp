@@ -30,6 +30,12 @@ TEST(Listed, JoinsThingsAsASentenceDoes) {
   EXPECT_EQ(listed({"a", "b"}, "or"), "a or b");
 }
 
+TEST(CountText, HasAnSButOfOne) {
+  EXPECT_EQ(countText(0, "frame"), "0 frames");
+  EXPECT_EQ(countText(1, "frame"), "1 frame");
+  EXPECT_EQ(countText(-12, "degree"), "-12 degrees");
+}
+
 TEST(SizeText, IsWidthAndHeight) {
   EXPECT_EQ(sizeText(640, 360), "640x360");
 }

@@ -36,8 +36,7 @@ TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_vi
                     const std::string& location) {
   const auto index = parsedNumber<std::size_t>(key);
   if (index && *index < array.size()) return array[*index];
-  failAt(location, std::string(name) + " has " + std::to_string(array.size()) +
-                       (array.size() == 1 ? " element" : " elements") +
+  failAt(location, std::string(name) + " has " + countText(std::ssize(array), "element") +
                        ", numbered from 0, and no " + tomlString(key));
 }
 

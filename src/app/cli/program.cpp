@@ -6,16 +6,19 @@
 #include <iostream>
 #include <memory>
 #include <span>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <utility>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/crash_handler.h"
 #include "cli/exit_code.h"
-#include "cli/quiet.h"
+#include "cli/progress_line.h"
 #include "cli/usage.h"
 #include "system/portable_folder.h"
 #include "system/resource_limits.h"
@@ -54,8 +57,8 @@ int afterFlush(int status) {
 void refuseEmptyArguments(std::span<char* const> arguments) {
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (*arguments[i] != '\0') continue;
-    throw InputError("argument " + std::to_string(i) + ", after " + arguments[i - 1] +
-                     ", is empty; is it a variable that isn't set?");
+    throw InputError(fmt::format(
+        "argument {}, after {}, is empty; is it a variable that isn't set?", i, arguments[i - 1]));
   }
 }
 
@@ -113,8 +116,33 @@ bool printsResult(const CLI::App& command) {
   return csv != nullptr && csv->count() > 0 && csv->results().back() == "-";
 }
 
+/// Holds back what is printed to std::clog and, unless it is the command's result, to std::cout.
+class HeldReports {
+ public:
+  explicit HeldReports(bool outputIsResult) : log_(std::clog.rdbuf(held_.rdbuf())) {
+    if (!outputIsResult) output_ = std::cout.rdbuf(held_.rdbuf());
+  }
+  HeldReports(const HeldReports&) = delete;
+  HeldReports& operator=(const HeldReports&) = delete;
+  /// Prints to the standard error what was held, as the reason of a failure is in it.
+  ~HeldReports() {
+    std::clog.rdbuf(log_);
+    if (output_ != nullptr) std::cout.rdbuf(output_);
+    std::cerr << held_.str() << std::flush;
+  }
+
+  /// Forgets what was held.
+  void discard() { held_.str({}); }
+
+ private:
+  std::ostringstream held_;
+  std::streambuf* log_;
+  std::streambuf* output_ = nullptr;
+};
+
 /// Does the work of `command` without printing its reports; returns the status.
 int runQuietly(const CLI::App& command, const Action& action) {
+  hideProgress();
   HeldReports held(printsResult(command));
   const int status = action();
   // The reason of another status may be in the report alone, as that of an unmet expectation is.

@@ -1,16 +1,15 @@
 #include "cli/progress_line.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <cstdio>
 #include <iostream>
 #include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/text.h"
-#include "cli/quiet.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -24,6 +23,8 @@ constexpr std::size_t kUsualColumns = 80;
 constexpr auto kRateWindow = seconds(4);
 constexpr auto kTerminalInterval = milliseconds(100);
 constexpr auto kPlainInterval = seconds(5);
+
+bool isHidden = false;
 
 std::string bar(std::int64_t done, std::int64_t total) {
   const auto filled = static_cast<std::size_t>(kBarWidth * done / std::max<std::int64_t>(total, 1));
@@ -47,20 +48,17 @@ std::string fitted(const std::string& label, const std::string& text, std::size_
 
 std::string progressText(std::int64_t done, std::int64_t total, double rate,
                          std::string_view unit) {
-  std::array<char, 128> text;
   const double percent =
       100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
-  std::snprintf(text.data(), text.size(), "%s %3.0f %%  %lld/%lld ", bar(done, total).c_str(),
-                percent, static_cast<long long>(done), static_cast<long long>(total));
-  std::string line = text.data() + std::string(unit);
-  if (rate > 0) {
-    std::snprintf(text.data(), text.size(), ", %.1f ", rate);
-    line += text.data() + std::string(unit);
-    std::snprintf(text.data(), text.size(), "/s, %.0f s left",
-                  static_cast<double>(total - done) / rate);
-    line += text.data();
-  }
-  return line;
+  const std::string line =
+      fmt::format("{} {:3.0f} %  {}/{} {}", bar(done, total), percent, done, total, unit);
+  if (rate <= 0) return line;
+  return fmt::format("{}, {:.1f} {}/s, {:.0f} s left", line, rate, unit,
+                     static_cast<double>(total - done) / rate);
+}
+
+void hideProgress() {
+  isHidden = true;
 }
 
 ProgressLine::ProgressLine(std::string_view label, std::string unit)
@@ -93,7 +91,7 @@ void ProgressLine::clear() {
 }
 
 void ProgressLine::update(std::int64_t done, std::int64_t total) {
-  if (isQuiet()) return;
+  if (isHidden) return;
   const Clock::time_point now = Clock::now();
   const double rate = rateAfter({now, done});
   const bool due = now - lastPrint_ >=

@@ -15,6 +15,9 @@ namespace rotatebook::cli {
 std::string progressText(std::int64_t done, std::int64_t total, double rate,
                          std::string_view unit = "frames");
 
+/// Has no progress shown from now on.
+void hideProgress();
+
 /// Prints progress to the standard error, with the rate of the last seconds.
 class ProgressLine {
  public:

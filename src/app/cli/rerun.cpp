@@ -29,15 +29,6 @@ store::ClipFiles filesOf(const store::RecordedClip& clip, const fs::path& folder
                           : store::clipFiles(folder, name);
 }
 
-/// Returns the record in a video; empty if there is none.
-std::string recordIn(const fs::path& video) {
-  try {
-    return video::readClipMetadata(video).comment;
-  } catch (const InputError&) {
-    return "";
-  }
-}
-
 /// Throws InputError if the rerun would replace what another scene's clip of the same name left:
 /// its video, or, if `png`, its frames.
 void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
@@ -47,7 +38,7 @@ void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
                      " isn't from the clip's scene and would be lost; name another folder with -o, "
                      "or replace it with --overwrite");
   };
-  if (fs::exists(output) && !store::isRecordOf(scene, recordIn(output))) refuse(output);
+  if (fs::exists(output) && !store::isRecordOf(scene, store::recordIn(output))) refuse(output);
   const fs::path& copy = files.sceneCopy;
   if (png && fs::exists(copy) && !store::isRecordOf(scene, system::readFileOrEmpty(copy)))
     refuse(copy);

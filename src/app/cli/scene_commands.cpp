@@ -2,12 +2,16 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/document/toml_text.h"
 #include "base/error.h"
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "cli/commands.h"
@@ -15,7 +19,6 @@
 #include "cli/input_guard.h"
 #include "cli/motion_report.h"
 #include "cli/scene_options.h"
-#include "cli/scene_report.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
 #include "scene/scene_text.h"
@@ -30,6 +33,16 @@ namespace rotatebook::cli {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// A scene file that was read.
+struct SceneFile {
+  fs::path path;
+  std::optional<scene::Scene> scene{};  ///< Nothing if it can't be read.
+  /// Of its clip, which ends early if its motion diverges; nothing if it wasn't simulated.
+  std::optional<std::int64_t> frames{};
+  std::vector<std::string> notes{};   ///< On what is likely a slip in it.
+  std::vector<std::string> errors{};  ///< Why the scene isn't usable; empty if it is.
+};
 
 /// Reads a file by `read`; reports and keeps the message if it is wrong.
 template <typename Read>
@@ -56,6 +69,47 @@ struct CheckArguments {
   bool json = false, print = false;
 };
 
+JsonObject fileObject(const SceneFile& file) {
+  JsonObject object;
+  object.addString("path", file.path.string())
+      .addBool("ok", file.errors.empty())
+      .add("errors", jsonArrayOf(file.errors, jsonString));
+  return object;
+}
+
+std::string labelsJson(const scene::Scene& scene) {
+  if (!scene.hasPanels()) return "[]";
+  return jsonArrayOf(scene.motions,
+                     [](const scene::Panel& panel) { return jsonString(panel.label); });
+}
+
+std::string checkJson(const SceneFile& file) {
+  JsonObject object = fileObject(file);
+  object.add("notes", jsonArrayOf(file.notes, jsonString));
+  if (!file.scene) return object.text();
+  if (file.frames) object.addInteger("frames", *file.frames);
+  return object.add("panels", labelsJson(*file.scene)).text();
+}
+
+std::string listJson(const SceneFile& file) {
+  JsonObject object = fileObject(file);
+  if (!file.scene) return object.text();
+  const scene::Scene& scene = *file.scene;
+  return object.addString("name", scene.name)
+      .addString("title", scene.title)
+      .addNumber("duration_s", scene.clip.duration)
+      .addInteger("width", scene.clip.width)
+      .addInteger("height", scene.clip.height)
+      .addInteger("frames", scene.clip.frameCount())
+      .add("panels", labelsJson(scene))
+      .addBool("has_study", scene.study.has_value())
+      .text();
+}
+
+void printJson(const std::vector<SceneFile>& files, std::string (*asJson)(const SceneFile&)) {
+  std::cout << JsonObject().add("scenes", jsonArrayOf(files, asJson)).text() << '\n';
+}
+
 int checkScenes(const CheckArguments& arguments) {
   std::vector<std::string> notes;  // on the file that is read
   const auto check = [&](const fs::path& path) {
@@ -76,7 +130,7 @@ int checkScenes(const CheckArguments& arguments) {
     if (arguments.json) continue;
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(path) + ": ok\n");
   }
-  if (arguments.json) reportChecksAsJson(files, std::cout);
+  if (arguments.json) printJson(files, checkJson);
   return statusOfAll(files);
 }
 
@@ -108,7 +162,7 @@ int listScenes(const ListArguments& arguments) {
   for (const fs::path& path : paths) {
     files.push_back(readFile(path, [](const fs::path& file) { return store::readScene(file); }));
   }
-  arguments.json ? reportListAsJson(files, std::cout) : printList(files);
+  arguments.json ? printJson(files, listJson) : printList(files);
   return statusOfAll(files);
 }
 
@@ -161,19 +215,19 @@ std::string starterWith(const std::string& title) {
 /// Throws InputError if no scene can be written to `path`.
 void requireNew(const fs::path& path) {
   if (path.extension() != ".toml") {
-    throw InputError(path.string() + ": the name of a scene's file ends in .toml, as " +
-                     path.stem().string() + ".toml does");
+    throw InputError(fmt::format("{}: the name of a scene's file ends in .toml, as {}.toml does",
+                                 path.string(), path.stem().string()));
   }
   const std::string name = path.stem().string();
   if (const std::string problem = store::problemOfName(name); !problem.empty()) {
-    throw InputError(path.string() + ": the scene's name " + quotedText(name) + " " + problem +
-                     "; choose another");
+    throw InputError(fmt::format("{}: the scene's name {} {}; choose another", path.string(),
+                                 quotedText(name), problem));
   }
   std::error_code ignored;
   const fs::path folder = path.parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored)) {
-    throw InputError(path.string() + ": there is no folder " + folder.string() +
-                     "; make it, or choose another");
+    throw InputError(fmt::format("{}: there is no folder {}; make it, or choose another",
+                                 path.string(), folder.string()));
   }
   requireAbsent(path);
 }
@@ -184,9 +238,9 @@ int writeNewScene(const std::string& file) {
   const std::string text = starterWith(titleFrom(path.stem().string()));
   scene::parseScene(text, path);  // A title may be too long.
   system::writeFileAtomically(path, text);
-  const std::string name = oneLine(path.string());
-  std::cout << "wrote " << name << "\nnext: change a number in it, and run\n  rotatebook render "
-            << oneLine(shellWord(path.string())) << '\n';
+  std::cout << fmt::format(
+      "wrote {}\nnext: change a number in it, and run\n  rotatebook render {}\n",
+      oneLine(path.string()), oneLine(shellWord(path.string())));
   return kDone;
 }
 

@@ -10,11 +10,11 @@
 #include "pipeline/frame_sink.h"
 #include "pipeline/kept_tiles.h"
 #include "plot/map_plot.h"
+#include "store/clip_record.h"
 #include "store/encoding.h"
 #include "store/fingerprint.h"
 #include "store/map_tiles.h"
 #include "system/atomic_file.h"
-#include "video/clip_reader.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -57,15 +57,6 @@ class FilmFrames {
   int width_ = 0;
 };
 
-/// Returns whether the file is the film of the scene's map.
-bool isFilmOf(const scene::Scene& scene, const std::filesystem::path& file) {
-  try {
-    return video::readClipMetadata(file).comment == store::recordOfFilm(scene);
-  } catch (const InputError&) {  // It is no clip
-    return false;
-  }
-}
-
 image::Image decoded(const std::string& png) {
   return image::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()},
                           "a frame of the film");
@@ -104,7 +95,8 @@ void requireMayReplaceFilm(const scene::Scene& scene, const store::MapFiles& fil
                      "--set 'map.film={ x = [2, 3], duration = 10 }'");
   }
   if (options.overwrite) return;
-  if (std::filesystem::exists(files.film) && !isFilmOf(scene, files.film)) {
+  if (std::filesystem::exists(files.film) &&
+      store::recordIn(files.film) != store::recordOfFilm(scene)) {
     throw InputError(files.film.string() +
                      " is a film of other settings; replace it with --overwrite, or name another "
                      "folder with -o");
@@ -117,7 +109,8 @@ MadeFilm makeFilm(const scene::Scene& scene, const store::MapFiles& files,
                   const MapOptions& options) {
   requireMayReplaceFilm(scene, files, options);
   const std::size_t count = frameCountOf(scene);
-  if (options.resume && isFilmOf(scene, files.film)) return {count, count, count, true, true};
+  if (options.resume && store::recordIn(files.film) == store::recordOfFilm(scene))
+    return {count, count, count, true, true};
   const FilmFrames film(scene);
   const store::MapTiles kept(files.filmFrames, store::filmFingerprint(scene));
   makeRoom(kept, options);

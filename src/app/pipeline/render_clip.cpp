@@ -22,7 +22,6 @@
 #include "system/machine.h"
 #include "system/temporary_files.h"
 #include "timeline/motion_checksum.h"
-#include "video/clip_reader.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -41,15 +40,6 @@ std::string encoderNames(const std::vector<OpenOutput>& outputs) {
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
   return names;
-}
-
-/// Returns the record in a video; empty if there is none.
-std::string recordIn(const std::filesystem::path& video) {
-  try {
-    return video::readClipMetadata(video).comment;
-  } catch (const InputError&) {
-    return "";
-  }
 }
 
 int threadsOf(const RenderOutput& output) {
@@ -222,7 +212,7 @@ class Render {
   void removePartialVideo(video::VideoFormat format) {
     const std::filesystem::path video = result_.files.partialVideo(format);
     if (!std::filesystem::is_regular_file(video)) return;
-    const std::string record = rowOf(format).holdsRecord ? recordIn(video) : "";
+    const std::string record = rowOf(format).holdsRecord ? store::recordIn(video) : "";
     const bool isOwn = record.empty() ? !rowOf(format).holdsRecord && options_.earlier.resume
                                       : store::isRecordOf(scene_, record);
     if (!isOwn) {

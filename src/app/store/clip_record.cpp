@@ -248,6 +248,14 @@ bool isPlainRecord(const ClipRecord& record, const std::string& text) {
   return text == (record.part ? recordOfPart(whole, *record.part) : whole);
 }
 
+std::string recordIn(const fs::path& video) {
+  try {
+    return video::readClipMetadata(video).comment;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
 bool looksLikeRecord(const std::string& text) {
   return text.starts_with(kMadeBy);
 }

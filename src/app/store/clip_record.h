@@ -41,6 +41,9 @@ std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance)
 /// returned unchanged.
 std::string recordOfPart(const std::string& record, FrameRange part);
 
+/// Returns the record in a video; empty if there is none, or it is no clip.
+std::string recordIn(const std::filesystem::path& video);
+
 /// Returns whether `text` begins as every record does.
 bool looksLikeRecord(const std::string& text);
 

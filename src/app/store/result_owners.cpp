@@ -22,7 +22,6 @@
 #include "system/program_mark.h"
 #include "system/read_file.h"
 #include "timeline/clip_tables.h"
-#include "video/clip_reader.h"
 
 namespace rotatebook::store {
 namespace {
@@ -66,15 +65,6 @@ bool isOfMap(const MapFiles& map, const fs::path& file) {
   const std::vector<fs::path> all = allOf(map);
   if (std::ranges::find(all, file) == all.end() || !isResult("map", map.json)) return false;
   return file != map.csv || study::isMapHeader(headerOf(file));
-}
-
-/// Returns the record in a video; empty if there is none.
-std::string recordIn(const fs::path& video) {
-  try {
-    return video::readClipMetadata(video).comment;
-  } catch (const InputError&) {  // It is no clip
-    return "";
-  }
 }
 
 bool isFilm(const fs::path& file) {

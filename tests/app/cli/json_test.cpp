@@ -84,12 +84,17 @@ TEST_F(Json, OfCheckHasTheNumberOfFrames) {
                                    HasSubstr(R"("frames": 27, "panels": []}])")));
 }
 
-TEST_F(Json, OfListHasEachSceneBelowTheFolder) {
+TEST_F(Json, OfCheckAndListHasPanels) {
   write("more/panels.toml",
         "title = \"Panels\"\n[[panel]]\nlabel = \"one\"\n"
         "initial.angular_velocity = [5, 0, 0.005]\n[[panel]]\nlabel = \"two\"\n"
         "initial.angular_velocity = [0, 5, 0]\n");
   write("more/wrong.toml", "titel = 'T'\n");
+  const ChildResult check = runWithoutGraphics({"check", "more/panels.toml", "--json"});
+  EXPECT_EQ(check.output,
+            R"({"scenes": [{"path": "more/panels.toml", "ok": true, "errors": [], "notes": [], )"
+            R"("frames": 720, "panels": ["one", "two"]}]})"
+            "\n");
   const ChildResult result = runWithoutGraphics({"list", "more", "--json"});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.error, std::string("rotatebook: more/") + kWrong + '\n');

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/json.h"
 #include "base/number_text.h"
@@ -39,15 +41,15 @@ struct InfoArguments {
 double unitOf(const std::string& unit) {
   const auto metres = parseQuantity("1 " + unit, Dimension::Length);
   if (metres) return *metres;
-  throw InputError("--unit " + oneLine(unit, 40) + ": not a unit of length; there are " +
-                   joinedOf(unitsOf(Dimension::Length),
-                            [](std::string_view name) { return std::string(name); }));
+  const auto units = unitsOf(Dimension::Length);
+  throw InputError(fmt::format("--unit {}: not a unit of length; there are {}", oneLine(unit, 40),
+                               joined({units.begin(), units.end()})));
 }
 
 void requirePositive(const char* option, const std::optional<double>& value) {
   if (value && !(*value > 0 && *value < 1e60))
-    throw InputError(std::string(option) + " " + shortestText(*value) +
-                     ": must be above 0, and below 1e60");
+    throw InputError(
+        fmt::format("{} {}: must be above 0, and below 1e60", option, shortestText(*value)));
 }
 
 BodySurface surfaceOf(const body::ClosedMesh& file) {
@@ -151,8 +153,8 @@ void showScene(const InfoArguments& options) {
   if (std::filesystem::path(path).extension() != ".toml")
     throw InputError(path + ": neither a scene (.toml) nor a mesh (.obj, .stl, .ply or .glb)");
   if (options.density || options.mass || options.unit != "m")
-    throw InputError("--density, --mass and --unit are a mesh's; " + path +
-                     " has a body of its own");
+    throw InputError(
+        fmt::format("--density, --mass and --unit are a mesh's; {} has a body of its own", path));
   const scene::Scene scene = options.scene.read(path);
   std::vector<Info> infos;
   for (const SpinNumbers& spin : spinNumbersOf(scene))

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
@@ -39,17 +41,17 @@ struct JudgeArguments {
 void printNotes(const std::string& name, const recording::RecordedMotion& motion) {
   for (const std::string& note : motion.notes()) {
     if (std::ranges::find(motion.flaws(), note) == motion.flaws().end())
-      std::cerr << "note: " << oneLine(name) << ": " << note << '\n';
+      std::cerr << fmt::format("note: {}: {}\n", oneLine(name), note);
   }
 }
 
 /// Returns the motion of a table, of a body that the command line states.
 physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& arguments) {
   if (arguments.inertia.empty() == arguments.size.empty()) {
-    throw InputError(file + ": a table of a motion doesn't say what moves; state " +
-                     (arguments.inertia.empty() ? "" : "either ") +
-                     "the body's moments with --inertia IX,IY,IZ or a solid cuboid's edges with "
-                     "--size X,Y,Z");
+    throw InputError(fmt::format(
+        "{}: a table of a motion doesn't say what moves; state {}the body's moments with --inertia "
+        "IX,IY,IZ or a solid cuboid's edges with --size X,Y,Z",
+        file, arguments.inertia.empty() ? "" : "either "));
   }
   physics::MotionSettings motion;
   if (!arguments.size.empty()) {

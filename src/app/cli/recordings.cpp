@@ -10,6 +10,8 @@
 #include <vector>
 #include <zip.h>
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "base/parsed_number.h"
 #include "base/text.h"
@@ -41,15 +43,8 @@ std::string bytesAt(const std::string& path) {
   try {
     return system::readFile(path, recording::kLargestRecording);
   } catch (const InputError& error) {
-    throw InputError(path + ": can't be read: " + error.what());
+    throw InputError(fmt::format("{}: can't be read: {}", path, error.what()));
   }
-}
-
-std::string smallLetters(std::string text) {
-  for (char& letter : text) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
-  return text;
 }
 
 /// Returns whether a file of that name may be a table of readings.
@@ -57,14 +52,14 @@ bool isTable(const fs::path& name) {
   for (const fs::path& part : name) {
     if (part.string().starts_with('.') || part == "meta" || part == "__MACOSX") return false;
   }
-  const std::string ending = smallLetters(name.extension().string());
+  const std::string ending = lowerCase(name.extension().string());
   return ending == ".csv" || ending == ".tsv" || ending == ".txt";
 }
 
 void requireFewEntries(const std::string& path, std::size_t count) {
   if (count <= kMaxEntries) return;
-  throw InputError(path + ": more than " + std::to_string(kMaxEntries) +
-                   " entries; name the recording's tables themselves");
+  throw InputError(fmt::format("{}: more than {} entries; name the recording's tables themselves",
+                               path, kMaxEntries));
 }
 
 /// Reads the tables, unless there are too many or they are too large; `inside` is what their names
@@ -74,15 +69,16 @@ std::vector<TableFile> readAll(const std::string& path, const std::string& insid
   std::uint64_t total = 0;
   for (const Entry& entry : entries) {
     if (entry.size > recording::kLargestRecording) {
-      throw InputError(inside + entry.name + ": longer than " +
-                       std::to_string(recording::kLargestRecording >> 20) +
-                       " MiB, the limit for a recording; export a part of it");
+      throw InputError(
+          fmt::format("{}{}: longer than {} MiB, the limit for a recording; export a part of it",
+                      inside, entry.name, recording::kLargestRecording >> 20));
     }
     total += entry.size;
   }
   if (entries.size() > kMaxTables || total > kMaxBytes) {
-    throw InputError(path + ": more than " + std::to_string(kMaxTables) + " tables or " +
-                     std::to_string(kMaxBytes >> 20) + " MiB of them; name the gyroscope's table");
+    throw InputError(
+        fmt::format("{}: more than {} tables or {} MiB of them; name the gyroscope's table", path,
+                    kMaxTables, kMaxBytes >> 20));
   }
   std::vector<TableFile> tables;
   for (const Entry& entry : entries)
@@ -91,7 +87,7 @@ std::vector<TableFile> readAll(const std::string& path, const std::string& insid
 }
 
 [[noreturn]] void failArchive(const std::string& path, const std::string& cause) {
-  throw InputError(path + ": can't be read as a ZIP archive: " + cause);
+  throw InputError(fmt::format("{}: can't be read as a ZIP archive: {}", path, cause));
 }
 
 std::string readArchived(zip_t* archive, zip_uint64_t index, std::uint64_t size,
@@ -187,14 +183,16 @@ std::optional<TableFile> takeOnly(const std::string& path, std::vector<TableFile
     if (isWanted(table)) wanted.push_back(table);
   }
   const auto isPreferred = [&](const TableFile& table) {
-    return smallLetters(fs::path(table.entry).filename().string()).find(preferred) !=
+    return lowerCase(fs::path(table.entry).filename().string()).find(preferred) !=
            std::string::npos;
   };
   if (wanted.size() > 1 && std::ranges::count_if(wanted, isPreferred) == 1)
     return *std::ranges::find_if(wanted, isPreferred);
   if (wanted.size() > 1) {
-    throw InputError(path + ": " + namesOf(wanted) + " all have " + what +
-                     "; name the tables themselves, and the accelerometer's with --acceleration");
+    throw InputError(
+        fmt::format("{}: {} all have {}; name the tables themselves, and the "
+                    "accelerometer's with --acceleration",
+                    path, namesOf(wanted), what));
   }
   return wanted.empty() ? std::nullopt : std::optional(wanted.front());
 }
@@ -220,8 +218,10 @@ RecordingFiles chosenOf(const std::string& path, std::vector<TableFile> tables,
                       [&](const TableFile& table) { return contents(table).hasAttitudes; });
   }
   if (!motion) {
-    throw InputError(path + ": no table of a gyroscope's rates, or of attitudes, among " +
-                     namesOf(tables) + "; name a table itself, and its columns with --column");
+    throw InputError(
+        fmt::format("{}: no table of a gyroscope's rates, or of attitudes, among {}; name "
+                    "a table itself, and its columns with --column",
+                    path, namesOf(tables)));
   }
   files.motion = std::move(*motion);
   if (contents(files.motion).hasForce) return files;
@@ -282,8 +282,8 @@ recording::ReadOptions RecordingOptions::read() const {
     const std::size_t middle = std::min(column.find('='), column.size());
     const std::string role = column.substr(0, middle);
     if (middle == column.size() || std::ranges::find(roles, role) == roles.end()) {
-      throw InputError("--column " + column + " must be HOLDS=NAME, where HOLDS is one of " +
-                       joinedOf(roles, [](std::string_view one) { return std::string(one); }));
+      throw InputError(fmt::format("--column {} must be HOLDS=NAME, where HOLDS is one of {}",
+                                   column, joined({roles.begin(), roles.end()})));
     }
     result.columns.emplace_back(role, column.substr(middle + 1));
   }
@@ -306,8 +306,8 @@ Eigen::Vector3d threeNumbers(const std::string& text, const char* option) {
     const bool isSound = error == std::errc() && numbers[i] > 0 &&
                          (isLast ? rest == end : rest != end && *rest == ',');
     if (!isSound) {
-      throw InputError(std::string(option) + " " + text +
-                       " must be three numbers over 0, such as 0.004,0.002,0.005");
+      throw InputError(fmt::format("{} {} must be three numbers over 0, such as 0.004,0.002,0.005",
+                                   option, text));
     }
     at = rest + 1;
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include <fmt/core.h>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -90,18 +92,15 @@ void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& o
                  std::ostream& out) {
   const scene::Scene& scene = rendered.scene;
   const pipeline::RenderStart& start = *rendered.start;
-  out << scene.name << ": " << scene.title << '\n'
-      << "  " << sizeText(scene.clip.width, scene.clip.height) << " at "
-      << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
-      << " s; renderer " << start.renderer
-      << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
-      << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
-  if (start.pngThreads > 0) {
-    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress")
-        << " PNGs";
-  }
-  const int encoders = encoderThreads(scene, options);
-  if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
+  out << fmt::format(
+      "{}: {}\n  {} at {} frames/s, {} s; renderer {}{}\n"
+      "  threads: 1 draws (a software rasteriser has its own), 1 composes",
+      scene.name, scene.title, sizeText(scene.clip.width, scene.clip.height),
+      scene.clip.frameRate.text(), shortestText(scene.clip.duration), start.renderer,
+      start.encoders.empty() ? "" : "; encoder " + start.encoders);
+  const int png = start.pngThreads, encoders = encoderThreads(scene, options);
+  if (png > 0) out << fmt::format(", {} {} PNGs", png, png == 1 ? "compresses" : "compress");
+  if (encoders > 0) out << fmt::format(", {} {}", encoders, encoders == 1 ? "encodes" : "encode");
   out << "; cores: " << system::coreCount() << std::endl;
 }
 

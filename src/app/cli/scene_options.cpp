@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/core.h>
+
 #include "base/document/overrides.h"
 #include "base/document/toml_text.h"
 #include "base/document/toml_tree.h"
@@ -29,7 +31,7 @@ std::string sizeOverride(const std::string& size) {
   if (!std::regex_match(size, match, std::regex("([0-9]{1,6})x([0-9]{1,6})"))) {
     throw InputError("--size " + size + ": not a size; write width x height, for example 640x360");
   }
-  return "clip.size=[" + match[1].str() + ", " + match[2].str() + "]";
+  return fmt::format("clip.size=[{}, {}]", match[1].str(), match[2].str());
 }
 
 std::string optionText(const std::string& text) {
@@ -49,15 +51,15 @@ std::string tomlOf(const std::string& value, const std::string& option) {
 
 /// Returns the list of the whole numbers `first` to `last`.
 std::string wholeNumbers(std::int64_t first, std::int64_t last, const std::string& option) {
-  const std::string range = std::to_string(first) + ".." + std::to_string(last);
+  const std::string range = fmt::format("{}..{}", first, last);
   if (first > last) fail(option, range + " runs downward; write the smaller number first");
   if (last - first >= static_cast<std::int64_t>(scene::kMaxGridSide)) {
-    fail(option, range + " has " + std::to_string(last - first + 1) + " values; a side has up to " +
-                     std::to_string(scene::kMaxGridSide) + ": list some, such as 1,2,4,8");
+    fail(option, fmt::format("{} has {} values; a side has up to {}: list some, such as 1,2,4,8",
+                             range, last - first + 1, scene::kMaxGridSide));
   }
-  std::string list;
-  for (std::int64_t i = first; i <= last; ++i) list += (i > first ? ", " : "") + std::to_string(i);
-  return "values = [" + list + "]";
+  std::vector<std::string> list;
+  for (std::int64_t i = first; i <= last; ++i) list.push_back(std::to_string(i));
+  return fmt::format("values = [{}]", joined(list));
 }
 
 /// Returns the keys of an axis that state its values.
@@ -80,14 +82,9 @@ std::string valuesOf(const std::string& values, const std::string& option) {
          values +
              " is no range of whole numbers, such as 1..8; list other numbers, such as 0.1,1,10");
   }
-  std::string list;
-  for (std::size_t begin = 0; begin <= values.size();) {
-    const std::size_t end = std::min(values.find(',', begin), values.size());
-    const std::string value(trimmed(std::string_view(values).substr(begin, end - begin)));
-    list += (begin > 0 ? ", " : "") + tomlOf(value, option);
-    begin = end + 1;
-  }
-  return "values = [" + list + "]";
+  return fmt::format("values = [{}]", joinedOf(itemsOf(values), [&](const std::string& value) {
+                       return tomlOf(value, option);
+                     }));
 }
 
 /// Returns the table of one axis from "KEY=VALUES".
@@ -100,7 +97,7 @@ std::string axisOf(const std::string& text, const std::string& option) {
          "\"initial.tilt=1e-2,1e-4 x simulation.substeps=1..8\"");
   }
   const std::string values(trimmed(std::string_view(text).substr(equals + 1)));
-  return "{ key = " + document::tomlString(key) + ", " + valuesOf(values, option) + " }";
+  return fmt::format("{{ key = {}, {} }}", document::tomlString(key), valuesOf(values, option));
 }
 
 /// Returns overrides that give a scene the grid of `text`, SceneOptions::grid.
@@ -148,11 +145,22 @@ std::set<std::string> stemsOf(const scene::Scene& scene) {
 void requireUsable(const std::string& name, const scene::Scene& scene) {
   const std::string problem = store::problemOfName(name);
   if (problem.empty()) return;
-  throw InputError("the name " + quotedText(name) + " " + problem + ": rename the scene's file" +
-                   (name == scene.name ? "" : ", or shorten the panel's label"));
+  throw InputError(fmt::format("the name {} {}: rename the scene's file{}", quotedText(name),
+                               problem,
+                               name == scene.name ? "" : ", or shorten the panel's label"));
 }
 
 }  // namespace
+
+std::vector<std::string> itemsOf(std::string_view list) {
+  std::vector<std::string> items;
+  for (std::size_t begin = 0; begin <= list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    items.emplace_back(trimmed(list.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+  return items;
+}
 
 void SceneOptions::addTo(CLI::App& command, bool draws) {
   constexpr const char* kGroup = "Scene";
@@ -237,9 +245,10 @@ void refuseSameNames(const std::vector<scene::Scene>& scenes) {
       requireUsable(stem, scene);
       const auto [owner, isNew] = owners.emplace(stem, scene.name);
       if (isNew) continue;
-      const std::string both = owner->second == scene.name ? "two scenes are named " + scene.name
-                                                           : owner->second + " and " + scene.name +
-                                                                 " both write " + stem + ".csv";
+      const std::string both =
+          owner->second == scene.name
+              ? "two scenes are named " + scene.name
+              : fmt::format("{} and {} both write {}.csv", owner->second, scene.name, stem);
       throw InputError(both +
                        "; they would overwrite each other: render them into different folders");
     }

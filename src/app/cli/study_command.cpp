@@ -42,31 +42,20 @@ struct StudyArguments {
   bool json = false;
 };
 
-std::vector<std::string> itemsOf(const std::string& list) {
-  std::vector<std::string> items;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    items.push_back(list.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return items;
-}
-
 Shorthand stepsShorthand(const std::string& steps) {
   static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
   if (!std::regex_match(steps, kList)) {
-    throw InputError("--steps " + steps +
-                     ": not a list of whole numbers; write substeps, for example 1,2,4,8");
+    throw InputError(fmt::format(
+        "--steps {}: not a list of whole numbers; write substeps, for example 1,2,4,8", steps));
   }
   return {"--steps " + steps,
-          "study.x={ key = \"simulation.substeps\", values = [" + steps + "] }"};
+          fmt::format(R"(study.x={{ key = "simulation.substeps", values = [{}] }})", steps)};
 }
 
 Shorthand integratorsShorthand(const std::string& integrators) {
-  std::vector<std::string> names;
-  for (const std::string& name : itemsOf(integrators)) names.push_back(document::tomlString(name));
   return {"--integrators " + integrators,
-          "study.curves={ key = \"simulation.integrator\", values = [" + joined(names) + "] }"};
+          fmt::format(R"(study.curves={{ key = "simulation.integrator", values = [{}] }})",
+                      joinedOf(itemsOf(integrators), document::tomlString))};
 }
 
 /// Returns what the options set. Of other runs than the scene's nothing is expected, unless --set

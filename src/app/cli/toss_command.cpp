@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include <Eigen/Core>
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -36,13 +37,13 @@ std::string degreesASecond(double rate) {
 
 template <typename Vector>
 std::string tomlVector(const Vector& vector) {
-  return "[" + shortestText(vector[0]) + ", " + shortestText(vector[1]) + ", " +
-         shortestText(vector[2]) + "]";
+  return fmt::format("[{}, {}, {}]", shortestText(vector[0]), shortestText(vector[1]),
+                     shortestText(vector[2]));
 }
 
 std::string tomlTensor(const Eigen::Matrix3d& tensor) {
-  return "[" + tomlVector(tensor.row(0)) + ", " + tomlVector(tensor.row(1)) + ", " +
-         tomlVector(tensor.row(2)) + "]";
+  return fmt::format("[{}, {}, {}]", tomlVector(tensor.row(0)), tomlVector(tensor.row(1)),
+                     tomlVector(tensor.row(2)));
 }
 
 std::string ratioJson(const recording::Estimate& ratio) {
@@ -59,12 +60,12 @@ std::string intervalsText(const recording::TossFit& fit) {
     return "the intervals hold in 95 of 100 tosses by noise alone; without a rest before, other "
            "errors don't show";
   }
-  const std::string residual =
-      "the residual is " + roundedText(fit.residual / fit.noise, 2) + " times the noise at rest";
+  const std::string residual = fmt::format("the residual is {} times the noise at rest",
+                                           roundedText(fit.residual / fit.noise, 2));
   if (fit.widening > 1) {
-    return residual +
-           ": the intervals that hold in 95 of 100 tosses by noise alone are widened by " +
-           roundedText(fit.widening, 2);
+    return fmt::format(
+        "{}: the intervals that hold in 95 of 100 tosses by noise alone are widened by {}",
+        residual, roundedText(fit.widening, 2));
   }
   return "the intervals hold in 95 of 100 tosses by noise alone; " + residual;
 }
@@ -109,19 +110,21 @@ std::string statedKeys(const recording::ReadOptions& options) {
 /// Prints the flight, the ratios of the moments with their intervals, and the fit's residual;
 /// `name` is the recording's.
 void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
-  out << oneLine(name) << ": flight from " << recording::timeText(fit.from) << " to "
-      << recording::timeText(fit.to) << " s, " << fit.readings << " readings\n";
+  out << fmt::format("{}: flight from {} to {} s, {} readings\n", oneLine(name),
+                     recording::timeText(fit.from), recording::timeText(fit.to), fit.readings);
   for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
     const recording::Estimate& ratio = fit.ratios[i];
-    out << "  " << kRatioNames[i] << " = " << roundedText(ratio.value, 6) << ", "
-        << roundedText(ratio.low, 6) << " to " << roundedText(ratio.high, 6) << '\n';
+    out << fmt::format("  {} = {}, {} to {}\n", kRatioNames[i], roundedText(ratio.value, 6),
+                       roundedText(ratio.low, 6), roundedText(ratio.high, 6));
   }
-  out << "  " << intervalsText(fit) << "\n  the fitted motion differs by "
-      << degreesASecond(fit.residual) << " (root mean square) of " << degreesASecond(fit.spin)
-      << "; gap of singular values " << roundedText(fit.gap, 3) << '\n';
+  out << fmt::format(
+      "  {}\n  the fitted motion differs by {} (root mean square) of {}; gap of singular values "
+      "{}\n",
+      intervalsText(fit), degreesASecond(fit.residual), degreesASecond(fit.spin),
+      roundedText(fit.gap, 3));
   if (fit.rest > 0) {
-    out << "  bias " << degreesASecond(fit.bias.norm()) << ", from " << digits4(fit.rest)
-        << " s of rest before\n";
+    out << fmt::format("  bias {}, from {} s of rest before\n", degreesASecond(fit.bias.norm()),
+                       digits4(fit.rest));
   } else if (fit.isMeasured) {
     out << "  no rest before the flight: the gyroscope's bias isn't subtracted, and the intervals "
            "leave it out\n";
@@ -140,24 +143,25 @@ void reportTossAsJson(const recording::TossFit& fit, const std::string& name, st
 void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
                   std::ostream& out) {
   const auto flights = std::ranges::count(throws, true, &recording::Throw::isFlight);
-  out << oneLine(name) << ": " << flights << (flights == 1 ? " flight" : " flights");
+  out << fmt::format("{}: {}", oneLine(name), countText(flights, "flight"));
   if (throws.empty()) {
-    out << ", as the body never turns faster than " << degreesASecond(recording::kSlowestThrow)
-        << " for " << roundedText(recording::kShortestThrow, 2) << " s";
+    out << fmt::format(", as the body never turns faster than {} for {} s",
+                       degreesASecond(recording::kSlowestThrow),
+                       roundedText(recording::kShortestThrow, 2));
   }
   out << '\n';
   for (const recording::Throw& one : throws) {
-    out << "  from " << recording::timeText(one.from) << " to " << recording::timeText(one.to)
-        << ", " << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin)
-        << ": ";
+    out << fmt::format("  from {} to {}, {} s at {}: ", recording::timeText(one.from),
+                       recording::timeText(one.to), roundedText(one.to - one.from, 2),
+                       degreesASecond(one.spin));
     if (!one.fit) {
       // Each refusal begins with the recording's name.
       const bool isNamed = one.refusal.starts_with(name + ": ");
       out << "refused: " << one.refusal.substr(isNamed ? name.size() + 2 : 0) << '\n';
       continue;
     }
-    out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
-        << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';
+    out << fmt::format("I1/I3 = {}, I2/I3 = {}\n", digits4(one.fit->ratios[0].value),
+                       digits4(one.fit->ratios[1].value));
     for (const std::string& note : one.fit->notes) out << "    note: " << note << '\n';
   }
 }
@@ -179,19 +183,39 @@ std::string tossScene(const recording::TossFit& fit, const std::string& file,
   constexpr double kFramesASecond = 60;
   // The last frame is within the flight.
   const double duration = (fit.to - fit.from) / kSpeed - 1 / kFramesASecond;
-  return "title = \"A toss, as measured\"\n"
-         "caption = \"The outline is the exact motion of the inertia that the toss tells.\"\n\n"
-         "[body]\ninertia = " +
-         tomlTensor(kLargestMoment * fit.inertia) + "\n\n[clip]\nspeed = " + shortestText(kSpeed) +
-         "\nduration = " + roundedText(duration, 6) +
-         "\n\n[overlay]\nshow = [\"caption\", \"clock\", \"half_turns\", \"ghost\", \"error\"]\n"
-         "\n[[panel]]\nlabel = \"measured\"\n[panel.simulation]\nmodel = \"recorded\"\nfile = " +
-         quotedText(file) + "\nfrom = " + shortestText(fit.from) +
-         "\nto = " + shortestText(fit.to) + "\nbias = " + tomlVector(fit.bias) + "\n" +
-         statedKeys(options) +
-         "\n[[panel]]\nlabel = \"exact\"\n[panel.simulation]\nmodel = \"exact\"\n"
-         "[panel.initial]\nangular_velocity = " +
-         tomlVector(fit.start) + "\n";
+  return fmt::format(
+      R"(title = "A toss, as measured"
+caption = "The outline is the exact motion of the inertia that the toss tells."
+
+[body]
+inertia = {}
+
+[clip]
+speed = {}
+duration = {}
+
+[overlay]
+show = ["caption", "clock", "half_turns", "ghost", "error"]
+
+[[panel]]
+label = "measured"
+[panel.simulation]
+model = "recorded"
+file = {}
+from = {}
+to = {}
+bias = {}
+{}
+[[panel]]
+label = "exact"
+[panel.simulation]
+model = "exact"
+[panel.initial]
+angular_velocity = {}
+)",
+      tomlTensor(kLargestMoment * fit.inertia), shortestText(kSpeed), roundedText(duration, 6),
+      quotedText(file), shortestText(fit.from), shortestText(fit.to), tomlVector(fit.bias),
+      statedKeys(options), tomlVector(fit.start));
 }
 
 struct TossArguments {
@@ -211,8 +235,10 @@ std::string pathFrom(const fs::path& scene, const fs::path& recording) {
   const fs::path folder = scene.parent_path().empty() ? "." : scene.parent_path();
   const fs::path path = fs::relative(recording, folder, error);
   if (error || path.empty() || *path.begin() == "..") {
-    throw InputError(scene.string() + ": a scene reads nothing from outside its folder, where " +
-                     recording.string() + " isn't; write it beside the recording");
+    throw InputError(fmt::format(
+        "{}: a scene reads nothing from outside its folder, where {} isn't; write it beside the "
+        "recording",
+        scene.string(), recording.string()));
   }
   return path.generic_string();
 }
@@ -221,8 +247,8 @@ std::string pathFrom(const fs::path& scene, const fs::path& recording) {
 std::string pathInScene(const TossArguments& arguments, const RecordingFiles& files) {
   if (arguments.scene.empty()) return "";
   if (files.path.empty()) {
-    throw InputError(arguments.scene + ": a scene reads no archive; unpack " + arguments.file +
-                     ", and toss the folder");
+    throw InputError(fmt::format("{}: a scene reads no archive; unpack {}, and toss the folder",
+                                 arguments.scene, arguments.file));
   }
   requireAbsent(arguments.scene);
   return pathFrom(arguments.scene, files.path);

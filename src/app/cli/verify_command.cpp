@@ -3,11 +3,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
-#include <iomanip>
 #include <iostream>
 #include <ranges>
 #include <string>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -27,15 +28,12 @@ using pipeline::ClipCheck;
 using pipeline::PictureCheck;
 using pipeline::Verification;
 
-constexpr int kVerdictWidth = 8;
-constexpr int kCheckWidth = 13;
 constexpr int kAlwaysShown = 2;  // Of the measures: these have their place in each line.
 
-void printCheck(const ClipCheck& check, std::ostream& out) {
-  out << "  " << std::left << std::setw(kVerdictWidth) << (check.passed ? "ok" : "FAILED")
-      << std::setw(kCheckWidth) << check.what << check.measured;
-  const bool same = check.measured == check.wanted;
-  out << " (" << (same ? "as it must be" : check.wanted) << ")\n";
+std::string checkText(const ClipCheck& check) {
+  return fmt::format("  {:<8}{:<13}{} ({})\n", check.passed ? "ok" : "FAILED", check.what,
+                     check.measured,
+                     check.measured == check.wanted ? "as it must be" : check.wanted);
 }
 
 std::string numberText(double value) {
@@ -48,29 +46,27 @@ std::string excessOf(const PictureCheck& check) {
   for (const pipeline::MeasureRow& row : pipeline::kMeasures | std::views::drop(kAlwaysShown)) {
     const double measured = check.measured.*row.value, bound = check.bound.*row.value;
     if (measured <= bound) continue;
-    text += "; " + std::string(row.text) + " by " + numberText(measured) + " (at most " +
-            numberText(bound) + ")";
+    text +=
+        fmt::format("; {} by {} (at most {})", row.text, numberText(measured), numberText(bound));
   }
   return text;
 }
 
 /// Converts to a check that is printed like the others.
 ClipCheck asClipCheck(const PictureCheck& check) {
-  std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
-                         numberText(check.measured.worstBlock) + " in the worst block" +
-                         excessOf(check);
-  if (check.closerTo) {
-    measured += "; it is closer to frame " + std::to_string(*check.closerTo);
-  }
-  return {"frame " + std::to_string(check.frame), measured,
-          "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstBlock),
+  std::string measured =
+      fmt::format("off by {} of 255, {} in the worst block{}", numberText(check.measured.rms),
+                  numberText(check.measured.worstBlock), excessOf(check));
+  if (check.closerTo) measured += fmt::format("; it is closer to frame {}", *check.closerTo);
+  return {fmt::format("frame {}", check.frame), measured,
+          fmt::format("at most {} and {}", numberText(check.bound.rms),
+                      numberText(check.bound.worstBlock)),
           check.passed()};
 }
 
 std::string framesText(const Verification& found) {
-  const std::string count = std::to_string(found.wholeCount);
-  if (!found.record.part) return count + " frames";
-  return "frames " + rangeText(found.range) + " of " + count;
+  if (!found.record.part) return fmt::format("{} frames", found.wholeCount);
+  return fmt::format("frames {} of {}", rangeText(found.range), found.wholeCount);
 }
 
 /// Returns "0, 12, 25"; of many only the first.
@@ -82,52 +78,40 @@ std::string framesCompared(const Verification& found) {
 }
 
 std::string picturesCompared(const Verification& found) {
-  return std::to_string(found.pictures.size()) + " of " + std::to_string(found.range.count()) +
-         " pictures";
-}
-
-bool comparesAll(const Verification& found) {
-  return static_cast<std::int64_t>(found.pictures.size()) == found.range.count();
-}
-
-std::string failureText(const Verification& found) {
-  const std::int64_t count = found.failures();
-  return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
-         " failed; " + picturesCompared(found) + " were compared.";
+  return fmt::format("{} of {} pictures", found.pictures.size(), found.range.count());
 }
 
 std::string proofText(const Verification& found) {
-  if (comparesAll(found)) {
-    return "Proved: the motion and all " + std::to_string(found.pictures.size()) +
-           " pictures are those of the scene.";
+  if (std::ssize(found.pictures) == found.range.count()) {
+    return fmt::format("Proved: the motion and all {} pictures are those of the scene.",
+                       found.pictures.size());
   }
-  return "Proved for " + picturesCompared(found) + " (" + framesCompared(found) +
-         "): they and the motion are those of the scene; --all compares every picture.";
+  return fmt::format(
+      "Proved for {} ({}): they and the motion are those of the scene; --all compares every "
+      "picture.",
+      picturesCompared(found), framesCompared(found));
 }
 
-std::string coarseText(const Verification& found) {
-  return "Consistent, coarsely: the motion is that of the scene, and " + picturesCompared(found) +
-         " may be, but the stream is coded too coarsely to prove it.";
+/// Returns how well the stream is coded: with as many digits as show on which side of the limit.
+std::string quantiserText(const Verification& found) {
+  if (!found.quantiser) return "its quantiser isn't measured";
+  const bool isNear = std::abs(*found.quantiser - pipeline::kCoarsestProof) < 1;
+  const bool isCoarse = found.verdict() == pipeline::Verdict::Coarse;
+  return fmt::format("coded at a mean quantiser of {} of 51{}",
+                     roundedText(*found.quantiser, isNear ? 5 : 3),
+                     isCoarse ? ", above " + numberText(pipeline::kCoarsestProof) : "");
 }
 
 /// Returns how well the stream is coded, and the smallest changes that are noticed for sure.
 std::string worthText(const Verification& found) {
   const pipeline::Deviation bound = found.unnoticed();
-  // As many digits as show on which side of the limit it is.
-  const bool isNear = std::abs(found.quantiser.value_or(0) - pipeline::kCoarsestProof) < 1;
-  const int digits = isNear ? 5 : 3;
-  const std::string quantiser = found.quantiser
-                                    ? "coded at a mean quantiser of " +
-                                          roundedText(*found.quantiser, digits) + " of 51" +
-                                          (found.verdict() == pipeline::Verdict::Coarse
-                                               ? ", above " + numberText(pipeline::kCoarsestProof)
-                                               : "")
-                                    : "its quantiser isn't measured";
-  return "Worth: " + quantiser + "; changes of up to " + numberText(bound.worstBlock) +
-         " in 16x16 pixels, " + numberText(std::max(bound.lumaPatch, bound.chromaPatch)) +
-         " on average in 32x32, " + numberText(bound.brightness) + " in brightness and " +
-         numberText(bound.colour) + " in colour (of 255), and shifts of " +
-         numberText(bound.shift) + " pixels may pass unnoticed.";
+  return fmt::format(
+      "Worth: {}; changes of up to {} in 16x16 pixels, {} on average in 32x32, {} in brightness "
+      "and "
+      "{} in colour (of 255), and shifts of {} pixels may pass unnoticed.",
+      quantiserText(found), numberText(bound.worstBlock),
+      numberText(std::max(bound.lumaPatch, bound.chromaPatch)), numberText(bound.brightness),
+      numberText(bound.colour), numberText(bound.shift));
 }
 
 std::string verdictText(const Verification& found) {
@@ -135,23 +119,33 @@ std::string verdictText(const Verification& found) {
     case pipeline::Verdict::Proved:
       return proofText(found) + "\n" + worthText(found);
     case pipeline::Verdict::Coarse:
-      return coarseText(found) + "\n" + worthText(found);
+      return fmt::format(
+          "Consistent, coarsely: the motion is that of the scene, and {} may be, but the stream is "
+          "coded too coarsely to prove it.\n{}",
+          picturesCompared(found), worthText(found));
     case pipeline::Verdict::NotProved:
-      return failureText(found);
+      return fmt::format("NOT PROVED: {} failed; {} were compared.",
+                         countText(found.failures(), "check"), picturesCompared(found));
   }
   return "";
 }
 
-const char* wordOf(pipeline::Verdict verdict) {
+/// A verdict's word in JSON, and the command's status.
+struct VerdictRow {
+  const char* word;
+  ExitCode status;
+};
+
+VerdictRow rowOf(pipeline::Verdict verdict) {
   switch (verdict) {
     case pipeline::Verdict::Proved:
-      return "proved";
+      return {"proved", kDone};
     case pipeline::Verdict::Coarse:
-      return "consistent, coarsely";
+      return {"consistent, coarsely", kCoarse};
     case pipeline::Verdict::NotProved:
-      return "not proved";
+      break;
   }
-  return "";
+  return {"not proved", kUnmet};
 }
 
 std::string json(const ClipCheck& check) {
@@ -199,13 +193,12 @@ std::string json(store::FrameRange range) {
 /// verdict. `clip` is the file's name.
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
   const store::Provenance& provenance = found.record.provenance;
-  out << oneLine(clip) << ": claims to be " << framesText(found) << " of the scene "
-      << provenance.scene << ", made by rotatebook " << provenance.program << '\n';
-  for (const std::string& difference : found.toolsDiffer) {
-    out << "  note    " << difference << "; pixels may differ\n";
-  }
-  for (const ClipCheck& check : found.checks) printCheck(check, out);
-  for (const PictureCheck& check : found.pictures) printCheck(asClipCheck(check), out);
+  out << fmt::format("{}: claims to be {} of the scene {}, made by rotatebook {}\n", oneLine(clip),
+                     framesText(found), provenance.scene, provenance.program);
+  for (const std::string& difference : found.toolsDiffer)
+    out << fmt::format("  note    {}; pixels may differ\n", difference);
+  for (const ClipCheck& check : found.checks) out << checkText(check);
+  for (const PictureCheck& check : found.pictures) out << checkText(asClipCheck(check));
   out << verdictText(found) << '\n';
 }
 
@@ -216,7 +209,7 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
   out << JsonObject()
              .addString("clip", clip)
              .addBool("proved", found.verdict() == pipeline::Verdict::Proved)
-             .addString("verdict", wordOf(found.verdict()))
+             .addString("verdict", rowOf(found.verdict()).word)
              .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
              .add("made_with", json(found.record.provenance))
              .add("frames", json(found.range))
@@ -235,18 +228,6 @@ struct VerifyArguments {
   bool json = false;
   RerunArguments again;
 };
-
-int statusOf(pipeline::Verdict verdict) {
-  switch (verdict) {
-    case pipeline::Verdict::Proved:
-      return kDone;
-    case pipeline::Verdict::Coarse:
-      return kCoarse;
-    case pipeline::Verdict::NotProved:
-      return kUnmet;
-  }
-  return kUnmet;
-}
 
 int makeAgain(const VerifyArguments& arguments) {
   RerunArguments again = arguments.again;
@@ -268,7 +249,7 @@ int verify(const VerifyArguments& arguments) {
   }
   (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
                                                                    std::cout);
-  return statusOf(found.verdict());
+  return rowOf(found.verdict()).status;
 }
 
 /// Adds --again and what belongs to it; it takes none of `others`.

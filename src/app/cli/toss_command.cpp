@@ -35,15 +35,10 @@ std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
 
-template <typename Vector>
-std::string tomlVector(const Vector& vector) {
-  return fmt::format("[{}, {}, {}]", shortestText(vector[0]), shortestText(vector[1]),
-                     shortestText(vector[2]));
-}
-
-std::string tomlTensor(const Eigen::Matrix3d& tensor) {
-  return fmt::format("[{}, {}, {}]", tomlVector(tensor.row(0)), tomlVector(tensor.row(1)),
-                     tomlVector(tensor.row(2)));
+/// Returns the rows of a tensor, as JSON and TOML have them.
+std::string tensorText(const Eigen::Matrix3d& tensor) {
+  return jsonArray(
+      {vectorJson(tensor.row(0)), vectorJson(tensor.row(1)), vectorJson(tensor.row(2))});
 }
 
 std::string ratioJson(const recording::Estimate& ratio) {
@@ -71,12 +66,10 @@ std::string intervalsText(const recording::TossFit& fit) {
 }
 
 JsonObject& addFit(JsonObject& object, const recording::TossFit& fit) {
-  const Eigen::Matrix3d& inertia = fit.inertia;
   return object.addInteger("readings", static_cast<std::int64_t>(fit.readings))
       .add("I1_over_I3", ratioJson(fit.ratios[0]))
       .add("I2_over_I3", ratioJson(fit.ratios[1]))
-      .add("inertia", jsonArray({vectorJson(inertia.row(0)), vectorJson(inertia.row(1)),
-                                 vectorJson(inertia.row(2))}))
+      .add("inertia", tensorText(fit.inertia))
       .add("angular_velocity", vectorJson(fit.start))
       .add("bias", vectorJson(fit.bias))
       .addNumber("rest_s", fit.rest)
@@ -213,9 +206,9 @@ model = "exact"
 [panel.initial]
 angular_velocity = {}
 )",
-      tomlTensor(kLargestMoment * fit.inertia), shortestText(kSpeed), roundedText(duration, 6),
-      quotedText(file), shortestText(fit.from), shortestText(fit.to), tomlVector(fit.bias),
-      statedKeys(options), tomlVector(fit.start));
+      tensorText(kLargestMoment * fit.inertia), shortestText(kSpeed), roundedText(duration, 6),
+      quotedText(file), shortestText(fit.from), shortestText(fit.to), vectorJson(fit.bias),
+      statedKeys(options), vectorJson(fit.start));
 }
 
 struct TossArguments {

@@ -18,7 +18,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
-#include "cli/rerun.h"
+#include "cli/render_scenes.h"
 #include "pipeline/verify/verify_clip.h"
 
 namespace rotatebook::cli {

@@ -1,4 +1,4 @@
-#include "cli/bench_report.h"
+#include "cli/machine_commands.h"
 
 #include <sstream>
 

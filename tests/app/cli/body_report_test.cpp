@@ -1,4 +1,4 @@
-#include "cli/body_report.h"
+#include "cli/info_command.h"
 
 #include <sstream>
 

@@ -1,4 +1,4 @@
-#include "cli/study_report.h"
+#include "cli/study_command.h"
 
 #include <limits>
 #include <sstream>

@@ -1,4 +1,4 @@
-// Reports of measureSpeed(), as text and as JSON. Inside the room only.
+// The report of the command bench, as text and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -1,12 +1,15 @@
 #include "cli/device_options.h"
 
+#include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <mutex>
 #include <regex>
 #include <unistd.h>
 #include <utility>
-#include <vector>
+
+#include <fmt/core.h>
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -24,9 +27,9 @@ render::DeviceChoice parseDevice(const std::string& text) {
   std::smatch match;
   if (!std::regex_match(text, match, std::regex("(cuda:)?([0-9]{1,4})"))) {
     throw InputError(
-        "--device " + text +
-        ": not a device; write a number that 'rotatebook doctor' lists, for example 0, or "
-        "cuda:0, or software");
+        fmt::format("--device {}: not a device; write a number that 'rotatebook doctor' "
+                    "lists, for example 0, or cuda:0, or software",
+                    text));
   }
   return {.kind = match[1].matched ? Kind::Cuda : Kind::Index, .number = std::stoi(match[2])};
 }
@@ -50,6 +53,13 @@ void DeviceOptions::addTo(CLI::App& command) {
       ->group(kGroup);
 }
 
+std::vector<std::string> DeviceOptions::words() const {
+  std::vector<std::string> words;
+  if (!device.empty()) words = {"--device", device};
+  if (requireHardware) words.emplace_back("--require-hardware");
+  return words;
+}
+
 render::DeviceChoice DeviceOptions::parsed() const {
   render::DeviceChoice choice = parseDevice(device);
   choice.requireHardware = requireHardware;
@@ -62,8 +72,7 @@ render::DeviceChoice DeviceOptions::parsed() const {
 render::DeviceChoice DeviceOptions::choice(bool resumable) const {
   render::DeviceChoice choice = parsed();
   std::vector<std::string> successor{"rotatebook", kAfterCrash};
-  if (!device.empty()) successor.push_back("--device=" + device);
-  if (requireHardware) successor.emplace_back("--require-hardware");
+  std::ranges::move(words(), std::back_inserter(successor));
   if (resumable) {
     adviseResume();
     successor.emplace_back(kResumable);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -15,6 +16,8 @@ struct DeviceOptions {
   bool requireHardware = false;
 
   void addTo(CLI::App& command);
+  /// Returns the words of a command line with these options.
+  std::vector<std::string> words() const;
   /// Returns the choice that they make. Throws InputError.
   render::DeviceChoice parsed() const;
   /// Returns parsed(), for drawing with it: its warning is printed once, and from now on a crash of

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -118,10 +119,8 @@ std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const Plan
 std::vector<std::string> argumentsOfTasks(const SubmitArguments& arguments, farm::Work work) {
   std::vector<std::string> words = arguments.sceneOptions.words();
   if (work != farm::Work::Render) return words;
-  const DeviceOptions& device = arguments.deviceOptions;
-  device.parsed();
-  if (!device.device.empty()) words.insert(words.end(), {"--device", device.device});
-  if (device.requireHardware) words.push_back("--require-hardware");
+  arguments.deviceOptions.parsed();  // Throws for a mistake in them.
+  std::ranges::move(arguments.deviceOptions.words(), std::back_inserter(words));
   return words;
 }
 

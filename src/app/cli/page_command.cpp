@@ -96,8 +96,7 @@ void drawThumbnails(const ReadScenes& shown, const PageArguments& arguments,
     refuseInputs(fileOf(i), shown.inputs, kOtherFolder);
     const std::string remedy = fmt::format(
         "the page's picture of {} would replace it; rename the scene, or make the page without it "
-        "by "
-        "--no-thumbnails",
+        "by --no-thumbnails",
         shown.scenes[i].name);
     store::refuseResultsOfOthers({store::ResultKind::Clip, shown.scenes[i].name}, {fileOf(i)},
                                  remedy);

@@ -69,8 +69,7 @@ std::string stabilityText(const Spin& spin) {
 std::string phasesText(const SpinPeriod& period) {
   return fmt::format(
       "{} of these by the energy, 2 E T / |L|, {} {} by geometry, the solid angle that L encloses "
-      "in "
-      "the body",
+      "in the body",
       degrees(period.dynamicTurn), period.geometricTurn < 0 ? "less" : "and",
       degrees(std::fabs(period.geometricTurn)));
 }

@@ -107,8 +107,7 @@ std::string worthText(const Verification& found) {
   const pipeline::Deviation bound = found.unnoticed();
   return fmt::format(
       "Worth: {}; changes of up to {} in 16x16 pixels, {} on average in 32x32, {} in brightness "
-      "and "
-      "{} in colour (of 255), and shifts of {} pixels may pass unnoticed.",
+      "and {} in colour (of 255), and shifts of {} pixels may pass unnoticed.",
       quantiserText(found), numberText(bound.worstBlock),
       numberText(std::max(bound.lumaPatch, bound.chromaPatch)), numberText(bound.brightness),
       numberText(bound.colour), numberText(bound.shift));

@@ -7,7 +7,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <unistd.h>
 
 #include "cli/commands.h"

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include <fmt/core.h>
@@ -24,7 +23,6 @@
 #include "embedded/cli.h"
 #include "picture/preflight.h"
 #include "pipeline/benchmark.h"
-#include "store/clip_files.h"
 
 namespace rotatebook::cli {
 namespace {

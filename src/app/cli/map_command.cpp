@@ -23,7 +23,6 @@
 #include "pipeline/map_options.h"
 #include "plot/map_plot.h"
 #include "scene/scene.h"
-#include "store/clip_files.h"
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "study/map_result.h"

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -20,7 +19,6 @@
 #include "image/png_file.h"
 #include "picture/sheet.h"
 #include "picture/still.h"
-#include "store/clip_files.h"
 
 namespace rotatebook::cli {
 namespace {

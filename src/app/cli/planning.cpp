@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <ctime>
 
-#include "base/error.h"
 #include "picture/frame_drawer.h"
 #include "store/fingerprint.h"
 #include "store/map_files.h"

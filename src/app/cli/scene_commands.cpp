@@ -22,7 +22,6 @@
 #include "embedded/cli.h"
 #include "picture/preflight.h"
 #include "scene/scene_text.h"
-#include "scene/source_locations.h"
 #include "store/scene_file.h"
 #include "store/scene_name.h"
 #include "store/scene_search.h"

@@ -6,7 +6,6 @@
 #include <iostream>
 #include <ranges>
 #include <string>
-#include <vector>
 
 #include <fmt/core.h>
 

@@ -5,14 +5,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
-#include <iostream>
 #include <new>
 #include <unistd.h>
 
-#include "cli/commands.h"
-#include "cli/device_options.h"
 #include "cli/exit_code.h"
-#include "diagnose/checkup.h"
 #include "system/crash_signals.h"
 #include "system/crash_successor.h"
 
@@ -101,40 +97,6 @@ void reportCrashes() {
     // Sanitizers, which have handlers of their own, report more.
     if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
   }
-}
-
-namespace {
-
-struct CrashArguments {
-  DeviceOptions deviceOptions;
-  bool resumable = false;
-  int signal = SIGABRT;
-};
-
-/// Reports the driver that crashed. If none did, ends as the process that crashed would have.
-int explain(const CrashArguments& arguments) {
-  if (arguments.resumable) adviseResume();
-  try {
-    if (const auto problem = diagnose::explainCrash(arguments.deviceOptions.parsed())) {
-      std::cerr << "rotatebook: can't draw: " << problem->what << "\n  remedy: " << problem->remedy
-                << crashAdvice();
-      return kMachineFailed;
-    }
-  } catch (...) {
-    reportError(std::current_exception(), "the drivers can't be tried: ");
-  }
-  return raise(arguments.signal);  // Reported by the handler of crashes.
-}
-
-}  // namespace
-
-void addAfterCrashCommand(CLI::App& program, Action& action) {
-  auto [command, arguments] =
-      addCommand(program, action, kAfterCrash, "Explain the crash of a command", explain);
-  command.group("");  // Hidden.
-  arguments.deviceOptions.addTo(command);
-  command.add_flag(kResumable, arguments.resumable);
-  command.add_option("SIGNAL", arguments.signal)->required();
 }
 
 }  // namespace rotatebook::cli

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <exception>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -13,6 +15,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "cli/commands.h"
+#include "cli/crash_handler.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
@@ -229,6 +232,40 @@ Exit status: 0 if render works as it is by default, 3 if it doesn't.
 Examples:
   rotatebook doctor
   rotatebook doctor --json | python3 -m json.tool)");
+}
+
+namespace {
+
+struct CrashArguments {
+  DeviceOptions deviceOptions;
+  bool resumable = false;
+  int signal = SIGABRT;
+};
+
+/// Reports the driver that crashed. If none did, ends as the process that crashed would have.
+int explain(const CrashArguments& arguments) {
+  if (arguments.resumable) adviseResume();
+  try {
+    if (const auto problem = diagnose::explainCrash(arguments.deviceOptions.parsed())) {
+      std::cerr << "rotatebook: can't draw: " << problem->what << "\n  remedy: " << problem->remedy
+                << crashAdvice();
+      return kMachineFailed;
+    }
+  } catch (...) {
+    reportError(std::current_exception(), "the drivers can't be tried: ");
+  }
+  return raise(arguments.signal);  // Reported by the handler of crashes.
+}
+
+}  // namespace
+
+void addAfterCrashCommand(CLI::App& program, Action& action) {
+  auto [command, arguments] =
+      addCommand(program, action, kAfterCrash, "Explain the crash of a command", explain);
+  command.group("");  // Hidden.
+  arguments.deviceOptions.addTo(command);
+  command.add_flag(kResumable, arguments.resumable);
+  command.add_option("SIGNAL", arguments.signal)->required();
 }
 
 }  // namespace rotatebook::cli

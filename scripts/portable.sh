@@ -54,13 +54,14 @@ make_stubs() {
   grep '@LIBXML2_' "$stubs/undefined" | stub libxml2.so.2
 }
 
-# What the program and the libraries that it loads need, "NAME PATH", as the loader finds it with our FFmpeg and the stubs.
+# What the program and the libraries that it loads need, "NAME PATH", as the loader finds it with our FFmpeg and the stubs. The
+# program itself loads FFmpeg's, by the names that end in one number.
 needed() {
   local file
-  for file in "$program" "${loaded[@]}" "$driver"; do
+  for file in "$program" "${loaded[@]}" "$driver" "$ffmpeg"/lib/*.so.*; do
     LD_LIBRARY_PATH=$stubs:$ffmpeg/lib ldd "$file"
   done | sed -nE 's/^\t([^ ]+) => (.+) \(0x.*/\1 \2/p; s/^\t([^ ]+) => not found/\1 missing/p' | sort -u
-  for file in "${loaded[@]}"; do echo "$(basename "$file") $file"; done
+  for file in "${loaded[@]}" "$ffmpeg"/lib/*.so.[0-9] "$ffmpeg"/lib/*.so.[0-9][0-9]; do echo "$(basename "$file") $file"; done
 }
 
 # Copies a library, without a path of its own, which would switch that of the program off.

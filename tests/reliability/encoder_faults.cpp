@@ -1,5 +1,6 @@
 // FFmpeg's calls that encode and write a video.
 #include <cerrno>
+#include <dlfcn.h>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -10,11 +11,18 @@ extern "C" {
 
 namespace {
 
+/// FFmpeg's function, of the library that the program has loaded, or is linked to.
+template <typename Function>
+Function* ffmpegs(const char* name) {
+  void* library = dlopen("libavformat.so." AV_STRINGIFY(LIBAVFORMAT_VERSION_MAJOR), RTLD_LAZY);
+  return reinterpret_cast<Function*>(dlsym(library, name));
+}
+
 /// Returns the result of the call, or an error of FFmpeg's.
 template <typename Function, typename... Arguments>
 int unlessFails(const char* name, Arguments... arguments) {
   if (rotatebook::faults::fails("encode")) return AVERROR(errno);
-  return rotatebook::faults::next<Function>(name)(arguments...);
+  return ffmpegs<Function>(name)(arguments...);
 }
 
 }  // namespace

@@ -8,10 +8,6 @@
 
 #include <fmt/core.h>
 
-extern "C" {
-#include <libavutil/pixdesc.h>
-}
-
 #include "base/error.h"
 #include "video/clip_input.h"
 #include "video/quantiser.h"

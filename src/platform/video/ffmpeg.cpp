@@ -7,10 +7,6 @@
 #include <new>
 #include <span>
 
-extern "C" {
-#include <libavutil/log.h>
-}
-
 #include "base/error.h"
 #include "base/number_text.h"
 #include "system/file_descriptor.h"

@@ -5,11 +5,7 @@
 #include <memory>
 #include <string>
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-#include <libswscale/swscale.h>
-}
+#include "video/ffmpeg_functions.h"
 
 namespace rotatebook::video {
 

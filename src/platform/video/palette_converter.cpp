@@ -4,11 +4,6 @@
 
 #include <fmt/core.h>
 
-extern "C" {
-#include <libavfilter/buffersink.h>
-#include <libavfilter/buffersrc.h>
-}
-
 #include "base/text.h"
 
 namespace rotatebook::video {

@@ -5,10 +5,6 @@
 
 #include "video/rgb_converter.h"
 
-extern "C" {
-#include <libavfilter/avfilter.h>
-}
-
 namespace rotatebook::video {
 
 struct FilterGraphDeleter {

@@ -3,6 +3,10 @@
 #include <string>
 #include <vector>
 
+extern "C" {
+#include <libavformat/version.h>
+}
+
 #include "base/version.h"
 #include "cli/program_test.h"
 
@@ -280,6 +284,18 @@ TEST_F(CommandLine, RepeatedOverridesAllCount) {
   const ChildResult result = run({"check", "--print", "tiny.toml", "--set", "body.mass=2", "--set",
                                   "clip.duration=0.3", "--set", "body.mass=3"});
   EXPECT_THAT(result.output, AllOf(HasSubstr("\nmass = 3.0"), HasSubstr("\nduration = 0.3")));
+}
+
+TEST_F(CommandLine, LoadsFfmpegOnlyForVideos) {
+  const std::string library = "libavformat.so." AV_STRINGIFY(LIBAVFORMAT_VERSION_MAJOR);
+  write(library, "no library");
+  const ChildSettings broken{.folder = folder(),
+                             .environment = {{"LD_LIBRARY_PATH", folder().string()}}};
+  EXPECT_EQ(run({"check", "tiny.toml"}, broken).status, 0);
+  const ChildResult result = run({"render", "tiny.toml", "-o", "out"}, broken);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error, AllOf(HasSubstr("rotatebook: can't load FFmpeg: "), HasSubstr(library),
+                                  HasSubstr("; install the version that the program was built")));
 }
 
 }  // namespace

@@ -77,19 +77,6 @@ store::ResultKind kindOf(farm::Work work) {
   return work == farm::Work::Map ? store::ResultKind::Map : store::ResultKind::Study;
 }
 
-/// Returns the names that submit and its tasks write, move or remove for a scene.
-store::Footprint footprintOfTasks(const scene::Scene& scene, const PlanWishes& wishes) {
-  store::Footprint footprint;
-  addPlanTo(footprint, farm::planFiles(wishes.folder, wishes.work));
-  if (wishes.work == farm::Work::Render)
-    footprint.addClip(wishes.folder, scene, wishes.formats);
-  else if (wishes.work == farm::Work::Map)
-    footprint.addMap(store::mapFiles(wishes.folder, scene.name));
-  else
-    footprint.addStudy(store::studyFiles(wishes.folder, scene.name));
-  return footprint;
-}
-
 /// Reads all scenes, and finds now what each task would find.
 std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const PlanWishes& wishes) {
   const farm::Work work = wishes.work;
@@ -108,9 +95,11 @@ std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const Plan
     return scene;
   });
   refuseSameNames(scenes);
+  store::Footprint plan;
+  addPlanTo(plan, farm::planFiles(wishes.folder, work));
+  refuseInputs(plan, inputs);
   for (const scene::Scene& scene : scenes) {
-    refuseInputs(footprintOfTasks(scene, wishes), inputs);
-    refuseLostResults(kindOf(work), scene, wishes.folder, wishes.formats);
+    refuseLosses(kindOf(work), scene, wishes.folder, inputs, wishes.formats);
   }
   return read;
 }

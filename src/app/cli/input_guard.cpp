@@ -69,25 +69,30 @@ void refuseInputs(const fs::path& output, const std::vector<Input>& inputs,
   refuseInputs(footprint, inputs, remedy);
 }
 
-void refuseLostResults(store::ResultKind kind, const scene::Scene& scene, const fs::path& folder,
-                       const std::vector<video::VideoFormat>& formats) {
-  const store::Results own{kind, scene.name};
+void refuseLosses(store::ResultKind kind, const scene::Scene& scene, const fs::path& folder,
+                  const std::vector<Input>& inputs,
+                  const std::vector<video::VideoFormat>& formats) {
+  store::Footprint footprint;
   const auto refuse = [&](const char* what, const std::vector<fs::path>& outputs) {
+    refuseInputs(footprint, inputs);
     std::string remedy =
         fmt::format("the {} of {} would replace it; name another folder with -o", what, scene.name);
-    store::refuseResultsOfOthers(own, outputs, remedy);
+    store::refuseResultsOfOthers({kind, scene.name}, outputs, remedy);
     return remedy;
   };
   if (kind == store::ResultKind::Clip) {
     const store::ClipFiles files = store::clipFiles(folder, scene.name);
     const std::vector<fs::path> outputs = outputFiles(files, scene, formats);
+    footprint.addClip(folder, scene, formats);
     store::refuseNoResultsOfClip(files, outputs, refuse("render", outputs));
   } else if (kind == store::ResultKind::Study) {
     const store::StudyFiles files = store::studyFiles(folder, scene.name);
+    footprint.addStudy(files);
     store::refuseNoResultsOfStudy(files, refuse("study", allOf(files)));
   } else {
     const store::MapFiles files = store::mapFiles(folder, scene.name);
     const bool isFilm = kind == store::ResultKind::Film;
+    footprint.addMap(files);
     isFilm ? refuse("film", {files.film}) : refuse("map", allOf(files));
     if (!isFilm) store::refuseNoResultsOfMap(files);
   }

@@ -49,10 +49,10 @@ void refuseInputs(const std::filesystem::path& output, const std::vector<Input>&
                   const std::string& remedy = "name another file with -o");
 
 /// Throws InputError if the render (of `formats`), map, film or study of `scene` would replace in
-/// `folder` what it didn't leave.
-void refuseLostResults(store::ResultKind kind, const scene::Scene& scene,
-                       const std::filesystem::path& folder,
-                       const std::vector<video::VideoFormat>& formats = {});
+/// `folder` one of `inputs`, or what it didn't leave.
+void refuseLosses(store::ResultKind kind, const scene::Scene& scene,
+                  const std::filesystem::path& folder, const std::vector<Input>& inputs,
+                  const std::vector<video::VideoFormat>& formats = {});
 
 /// Throws InputError if `output`, the value of `option`, hasn't the ending of its format: a clip,
 /// for example, isn't to be replaced by a picture.

@@ -110,11 +110,8 @@ std::vector<MapTask> readMapTasks(const MapArguments& arguments,
   for (const scene::Scene& scene : scenes) {
     const store::MapFiles files = store::mapFiles(arguments.folder, scene.name);
     tasks.push_back({scene, files, film ? std::vector{files.film} : allOf(files)});
-    store::Footprint footprint;
-    footprint.addMap(files);
-    refuseInputs(footprint, inputs);
-    refuseLostResults(film ? store::ResultKind::Film : store::ResultKind::Map, scene,
-                      arguments.folder);
+    refuseLosses(film ? store::ResultKind::Film : store::ResultKind::Map, scene, arguments.folder,
+                 inputs);
     (film ? pipeline::requireMayReplaceFilm : pipeline::requireMayReplaceMap)(scene, files,
                                                                               options);
   }

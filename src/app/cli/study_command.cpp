@@ -222,10 +222,7 @@ std::vector<StudiedScene> readTasks(const StudyArguments& arguments) {
     tasks.push_back(
         {scene, store::studyFiles(arguments.folder, scene.name), store::studySceneChecksum(scene)});
     plot::requireStudyLetters(scene);
-    store::Footprint footprint;
-    footprint.addStudy(tasks.back().files);
-    refuseInputs(footprint, inputs);
-    refuseLostResults(store::ResultKind::Study, scene, arguments.folder);
+    refuseLosses(store::ResultKind::Study, scene, arguments.folder, inputs);
   }
   return tasks;
 }

@@ -228,7 +228,7 @@ BodyNumbers bodyOfMesh(const std::string& path, const InfoArguments& options) {
     double density = options.density.value_or(kWater);
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
     const body::MassProperties properties = body::massPropertiesOf(mesh, density);
-    rigid::checkInertia(properties.inertia);
+    rigid::checkedInertia(properties.inertia);
     return {properties, surfaceOf(file)};
   } catch (const InputError& error) {
     throw InputError(oneLine(path, 200) + ": " + error.what());

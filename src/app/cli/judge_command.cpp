@@ -56,8 +56,8 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   if (!arguments.size.empty()) {
     motion.body.size = threeNumbers(arguments.size, "--size");
   } else {
-    motion.inertia = threeNumbers(arguments.inertia, "--inertia").asDiagonal();
-    rigid::checkInertia(*motion.inertia);
+    motion.inertia =
+        rigid::checkedInertia(threeNumbers(arguments.inertia, "--inertia").asDiagonal());
   }
   const recording::ReadOptions options = arguments.recording.read();
   const TableFile table = openRecording(file, "", options).motion;

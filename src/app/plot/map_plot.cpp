@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "plot/map_colours.h"
 #include "plot/plot.h"
+#include "scene/key_rows.h"
 
 namespace rotatebook::plot {
 namespace {

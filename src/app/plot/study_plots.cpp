@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "plot/plot.h"
 #include "scene/axis.h"
+#include "scene/key_rows.h"
 #include "scene/names.h"
 
 namespace rotatebook::plot {

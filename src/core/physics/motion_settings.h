@@ -126,9 +126,9 @@ struct MotionSettings {
   Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
-  /// Inertia tensor in body axes, which replaces the solid cuboid's. Of all particles,
+  /// Replaces the solid cuboid's. Of all particles,
   /// Arrangement::Equimomental alone takes it; the others have their own. [kg m^2]
-  std::optional<Eigen::Matrix3d> inertia{};
+  std::optional<rigid::Inertia> inertia{};
   PlacedParticles particles{};  ///< Of Arrangement::Vertices and Arrangement::Grid.
   std::vector<Nudge> nudges{};  ///< In the order of their times.
 

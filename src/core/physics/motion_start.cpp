@@ -11,7 +11,7 @@ rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
       return {settings.body.particleInertia()};
     return rigid::principalAxes(particlesOf(settings).inertia(settings.body.mass));
   }
-  if (settings.inertia) return rigid::principalAxes(*settings.inertia);
+  if (settings.inertia) return settings.inertia->axes();
   return {settings.body.solidInertia()};
 }
 

@@ -9,7 +9,7 @@ namespace rotatebook::physics {
 namespace {
 
 rigid::PrincipalAxes rigidInertia(const MotionSettings& settings) {
-  if (settings.inertia) return rigid::principalAxes(*settings.inertia);
+  if (settings.inertia) return settings.inertia->axes();
   return {settings.body.solidInertia()};
 }
 

@@ -156,31 +156,6 @@ Eigen::Vector3d PrincipalAxes::angularMomentum(const Eigen::Vector3d& velocity) 
   return bodyFromPrincipal * moments.cwiseProduct(bodyFromPrincipal.transpose() * velocity);
 }
 
-void checkInertia(const Eigen::Matrix3d& tensor) {
-  if (!tensor.allFinite()) throw InputError("an inertia tensor must be finite");
-  checkSymmetric(tensor);
-  const Eigen::Vector3d moments = principalAxes(tensor).moments;
-  const double largest = moments.maxCoeff();
-  if (!(moments.minCoeff() > 0)) {
-    throw InputError("an inertia tensor must be positive definite, but " + momentsText(moments));
-  }
-  if (moments.minCoeff() <= kRounding * largest) {
-    throw InputError(
-        "an inertia tensor's smallest principal moment must be more than 1e-12 of the largest, "
-        "but " +
-        momentsText(moments));
-  }
-  if (largest < kMinMoment) {
-    throw InputError("an inertia tensor must have principal moments of 1e-30 kg m^2 or more, but " +
-                     momentsText(moments));
-  }
-  if (largest > (1 + kRounding) * (moments.sum() - largest)) {
-    throw InputError(
-        "no body has this inertia: a principal moment can't exceed the sum of the other two, but " +
-        momentsText(moments));
-  }
-}
-
 PrincipalAxes withEqualMoments(PrincipalAxes axes) {
   const auto order = axesByInertia(axes.moments);
   for (std::size_t i = 1; i < 3; ++i) {
@@ -215,6 +190,33 @@ PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor) {
   }
   const Matrix columns = diagonalize(entries);
   return sorted({entries[0][0], entries[1][1], entries[2][2]}, columns, unit);
+}
+
+Inertia checkedInertia(const Eigen::Matrix3d& tensor) {
+  if (!tensor.allFinite()) throw InputError("an inertia tensor must be finite");
+  checkSymmetric(tensor);
+  Inertia inertia(tensor);
+  const Eigen::Vector3d& moments = inertia.axes().moments;
+  const double largest = moments.maxCoeff();
+  if (!(moments.minCoeff() > 0)) {
+    throw InputError("an inertia tensor must be positive definite, but " + momentsText(moments));
+  }
+  if (moments.minCoeff() <= kRounding * largest) {
+    throw InputError(
+        "an inertia tensor's smallest principal moment must be more than 1e-12 of the largest, "
+        "but " +
+        momentsText(moments));
+  }
+  if (largest < kMinMoment) {
+    throw InputError("an inertia tensor must have principal moments of 1e-30 kg m^2 or more, but " +
+                     momentsText(moments));
+  }
+  if (largest > (1 + kRounding) * (moments.sum() - largest)) {
+    throw InputError(
+        "no body has this inertia: a principal moment can't exceed the sum of the other two, but " +
+        momentsText(moments));
+  }
+  return inertia;
 }
 
 }  // namespace rotatebook::rigid

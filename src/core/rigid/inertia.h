@@ -31,12 +31,6 @@ struct PrincipalAxes {
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& velocity) const;
 };
 
-/// Throws InputError with the reason if no body can have this inertia tensor [kg m^2]: it is not
-/// finite, not symmetric, not positive definite, or has a principal moment larger than the sum of
-/// the other two. Rounding in the last digits (1e-12 of the largest entry) is allowed, so a moment
-/// no larger than that is rejected as 0; so is a body whose moments are all under 1e-30.
-void checkInertia(const Eigen::Matrix3d& tensor);
-
 /// Returns the axes with moments that agree to 1e-12 made equal: turning a body rounds its moments,
 /// by 3e-16, and equal ones come apart. For what is said of a body; its motion has its own moments.
 PrincipalAxes withEqualMoments(PrincipalAxes axes);
@@ -50,5 +44,29 @@ void clearRounding(Eigen::Matrix3d& tensor);
 /// agree to 1e-29 of the largest are made equal. Uses Jacobi rotations in double-double arithmetic,
 /// which take the tensor's entries as exact.
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor);
+
+/// An inertia tensor in body axes with its principal axes, which are found once. [kg m^2]
+class Inertia {
+ public:
+  /// Takes a symmetric tensor.
+  template <typename Derived>
+  Inertia(const Eigen::EigenBase<Derived>& tensor)
+      : tensor_(tensor), axes_(principalAxes(tensor_)) {}
+
+  const Eigen::Matrix3d& tensor() const { return tensor_; }
+  const PrincipalAxes& axes() const { return axes_; }
+  friend bool operator==(const Inertia& a, const Inertia& b) { return a.tensor_ == b.tensor_; }
+
+ private:
+  Eigen::Matrix3d tensor_;
+  PrincipalAxes axes_;
+};
+
+/// Returns the inertia of a body with this tensor [kg m^2]. Throws InputError with the reason if no
+/// body can have it: it is not finite, not symmetric, not positive definite, or has a principal
+/// moment larger than the sum of the other two. Rounding in the last digits (1e-12 of the largest
+/// entry) is allowed, so a moment no larger than that is rejected as 0; so is a body whose moments
+/// are all under 1e-30.
+Inertia checkedInertia(const Eigen::Matrix3d& tensor);
 
 }  // namespace rotatebook::rigid

@@ -2,6 +2,7 @@
 // curves and [map] as pixels.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -41,7 +42,9 @@ struct Axis {
   Scale scale = Scale::Linear;
 
   /// Returns whether all values are numbers without labels.
-  bool hasNumbers() const;
+  bool hasNumbers() const {
+    return std::ranges::all_of(values, [](const AxisValue& value) { return !!value.number; });
+  }
   /// Returns the value in the middle of pixel `i` of `count`.
   double at(int i, int count) const {
     return numberWithin(from, to, (static_cast<double>(i) + 0.5) / count, scale);
@@ -49,10 +52,5 @@ struct Axis {
   bool holds(double value) const { return value >= from && value <= to; }
   friend bool operator==(const Axis&, const Axis&) = default;
 };
-
-/// Returns a key with its unit, if it has one: "initial.tilt.0  [rad]".
-std::string keyWithUnit(const std::string& key);
-/// Returns the name beside an axis: its label, or its key, with the unit of numbers.
-std::string nameOf(const Axis& axis);
 
 }  // namespace rotatebook::scene

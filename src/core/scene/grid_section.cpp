@@ -98,7 +98,7 @@ std::vector<Expectation> expectedAt(const Spec& spec, std::size_t column, std::s
 
 /// Returns the motion of each cell, row by row.
 std::vector<Panel> motionsOfCells(const ReadGridAxis& columns, const ReadGridAxis& rows,
-                                  const ValueReader& file, const Spec& spec, const Shared& shared) {
+                                  const ValueReader& file, const Spec& spec, Shared& shared) {
   const bool hasColumns = columns.varied.has_value();
   const ReadGridAxis &inner = hasColumns ? columns : rows, &outer = hasColumns ? rows : columns;
   std::vector<Panel> cells;
@@ -159,7 +159,7 @@ GridSettings readGrid(const ValueReader& section, const ValueReader& file,
   return grid;
 }
 
-std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shared& shared) {
+std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& shared) {
   const ValueReader section = *file.find("grid");
   const ReadGridAxis columns = readAxis(section, "columns", file);
   const ReadGridAxis rows = readAxis(section, "rows", file);

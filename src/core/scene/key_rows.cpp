@@ -104,6 +104,21 @@ std::string reasonForNoChange(std::string_view key, std::span<const physics::Mod
          (row->models == kOfStepwise ? " takes no steps" : " doesn't have it");
 }
 
+std::string keyWithUnit(const std::string& key) {
+  const KeyRow* row = findKey(key);
+  // Maps alone have axes that are no keys.
+  const std::string unit = row != nullptr             ? row->unit
+                           : key == "time"            ? "s"
+                           : key.starts_with("spin.") ? "degrees"
+                                                      : "";
+  return key + (unit.empty() ? "" : "  [" + unit + "]");
+}
+
+std::string nameOf(const Axis& axis) {
+  if (!axis.label.empty()) return axis.label;
+  return axis.hasNumbers() ? keyWithUnit(axis.key) : axis.key;
+}
+
 std::string sectionsOf(std::string_view key) {
   std::vector<std::string> sections;
   for (const KeyRow& row : allKeys()) {

@@ -11,6 +11,7 @@
 
 #include "base/units.h"
 #include "physics/motion_settings.h"
+#include "scene/axis.h"
 
 namespace rotatebook::scene {
 
@@ -85,6 +86,11 @@ const KeyRow* findKey(std::string_view key);
 
 /// Returns why another value of `key` changes no motion of `models`; empty if it changes one.
 std::string reasonForNoChange(std::string_view key, std::span<const physics::Model> models);
+
+/// Returns a key with its unit, if it has one: "initial.tilt.0  [rad]".
+std::string keyWithUnit(const std::string& key);
+/// Returns the name beside an axis: its label, or its key, with the unit of numbers.
+std::string nameOf(const Axis& axis);
 
 /// Returns where a key of that name belongs: "under [body] or [clip]"; empty if nowhere.
 std::string sectionsOf(std::string_view key);

@@ -11,7 +11,7 @@
 namespace rotatebook::scene {
 namespace {
 
-std::vector<Panel> settledPanels(const Spec& spec, const ValueReader& file, const Shared& shared) {
+std::vector<Panel> settledPanels(const Spec& spec, const ValueReader& file, Shared& shared) {
   const std::vector<document::TomlNode> merged = mergedPanels(*file.find("panel"), file);
   std::vector<Panel> panels = spec.panels;
   document::Problems problems;
@@ -21,7 +21,7 @@ std::vector<Panel> settledPanels(const Spec& spec, const ValueReader& file, cons
   return panels;
 }
 
-std::vector<Panel> settledMotions(const Spec& spec, const ValueReader& file, const Shared& shared) {
+std::vector<Panel> settledMotions(const Spec& spec, const ValueReader& file, Shared& shared) {
   if (spec.grid) return cellsOf(spec, file, shared);
   if (!spec.panels.empty()) return settledPanels(spec, file, shared);
   Panel single{{spec.motion}, ""};
@@ -44,7 +44,7 @@ Eigen::Vector3d defaultPosition(const Scene& scene) {
 Scene resolve(Spec spec, const ValueReader& file, const MeshFiles& meshes) {
   Scene scene;
   static_cast<Spec&>(scene) = std::move(spec);
-  const Shared shared = sharedOf(scene, meshes);
+  Shared shared = sharedOf(scene, meshes);
   document::Problems problems;
   problems.note([&] { scene.motions = settledMotions(scene, file, shared); });
   problems.throwIfAny();

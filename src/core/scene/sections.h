@@ -72,7 +72,7 @@ GridSettings readGrid(const ValueReader& section, const ValueReader& file,
                       const ClipSettings& clip);
 /// Returns the motions of the cells of the scene's grid, row by row; `file` is what the scene was
 /// read from. Throws InputError.
-std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, const Shared& shared);
+std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& shared);
 /// Returns [grid] as TOML; empty for a scene without one.
 std::string gridText(const Spec& spec, Printed printed);
 
@@ -81,7 +81,7 @@ std::string gridText(const Spec& spec, Printed printed);
 StudySettings readStudy(const ValueReader& section, const Spec& spec);
 /// Returns the runs of the scene's study; `file` is what the scene was read from. Throws
 /// InputError.
-std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, const Shared& shared);
+std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, Shared& shared);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Spec& spec);
 

@@ -1,5 +1,6 @@
 #include "scene/settled_motion.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "base/document/value_reader.h"
@@ -12,20 +13,28 @@
 namespace rotatebook::scene {
 namespace {
 
-/// Gives a motion the numbers of its solid.
-void settleBody(const ValueReader& file, Motion& motion) {
-  if (motion.solid.isBook()) return;
+SettledBody settledBody(const ValueReader& file, const Solid& solid) {
   std::optional<ValueReader> place;
   for (const char* key : {"dimensions", "shape", "mesh", "part"}) {
     if (!place) place = file.find("body", key);
   }
-  failAtValue(place.value_or(file), [&] {
-    requireMatter(motion.solid.parts);
-    const SolidNumbers numbers = numbersOf(motion.solid);
-    motion.body.size = numbers.size;
-    motion.body.mass = numbers.properties.mass;
-    motion.inertia = numbers.properties.inertia;
+  return failAtValue(place.value_or(file), [&]() -> SettledBody {
+    requireMatter(solid.parts);
+    const SolidNumbers numbers = numbersOf(solid);
+    return {solid,
+            {numbers.size, numbers.properties.mass},
+            rigid::checkedInertia(numbers.properties.inertia)};
   });
+}
+
+/// Gives a motion the numbers of its solid.
+void settleBody(const ValueReader& file, Shared& shared, Motion& motion) {
+  if (motion.solid.isBook()) return;
+  auto body = std::ranges::find(shared.bodies, motion.solid, &SettledBody::solid);
+  if (body == shared.bodies.end())
+    body = shared.bodies.insert(body, settledBody(file, motion.solid));
+  motion.body = body->box;
+  motion.inertia = body->inertia;
 }
 
 }  // namespace
@@ -39,13 +48,13 @@ Shared sharedOf(const Spec& spec, const MeshFiles& meshes) {
   return shared;
 }
 
-void settle(const ValueReader& file, const Shared& shared, Motion& motion) {
+void settle(const ValueReader& file, Shared& shared, Motion& motion) {
   if (!file.find("simulation", "time_per_frame")) {
     motion.simulation.timePerFrame = shared.clock.timePerFrame;
     motion.simulation.substepped = shared.clock.substepped;
   }
   takeContent(shared.meshes, motion.solid.mesh);
-  settleBody(file, motion);
+  settleBody(file, shared, motion);
   placeParticles(file, motion);
   settleSpin(file, motion);
 }

@@ -142,7 +142,6 @@ SolidNumbers numbersOf(const Solid& solid) {
   MassProperties& properties = numbers.properties;
   if (solid.mass) properties = multiplied(properties, *solid.mass / properties.mass);
   rigid::clearRounding(properties.inertia);
-  rigid::checkInertia(properties.inertia);
   return numbers;
 }
 

@@ -21,8 +21,7 @@ struct SolidNumbers {
 };
 
 /// Returns the mass properties of a solid that isn't the book: sums of its parts', also where they
-/// overlap. Throws InputError if lengths don't fit each other, no mass is left, or no body has such
-/// an inertia.
+/// overlap. Throws InputError if lengths don't fit each other, or no mass is left.
 SolidNumbers numbersOf(const Solid& solid);
 
 /// Returns a part's density, or else its shape's. [kg/m^3]

@@ -73,7 +73,7 @@ void refuseManyRuns(const ValueReader& section, const StudySettings& study) {
 }
 
 std::vector<StudyRun> makeRuns(const ValueReader& section, const ValueReader& file,
-                               const Scene& scene, const Shared& shared) {
+                               const Scene& scene, Shared& shared) {
   std::vector<StudyRun> runs;
   const VariedKey x = variedKeyFrom(*section.find("x"), file);
   const TomlNode sections = motionPart(file);
@@ -184,7 +184,7 @@ StudySettings readStudy(const ValueReader& stated, const Spec& spec) {
   return study;
 }
 
-std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, const Shared& shared) {
+std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, Shared& shared) {
   const ValueReader stated = *file.find("study");
   const TomlNode whole = completed(stated, scene.motion.simulation.model);
   const ValueReader section(whole, stated.name());

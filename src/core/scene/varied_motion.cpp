@@ -87,7 +87,7 @@ void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
   putValue(sections, key.path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
-VariedMotions::VariedMotions(const TomlNode& sections, const Shared& shared, const VariedKey& key,
+VariedMotions::VariedMotions(const TomlNode& sections, Shared& shared, const VariedKey& key,
                              const Motion* known)
     : sections_(sections), shared_(shared), key_(key) {
   if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
@@ -114,7 +114,7 @@ Motion VariedMotions::with(const StatedValue& value) const {
   return motionFrom(varied, shared_);
 }
 
-Motion motionFrom(const TomlNode& sections, const Shared& shared) {
+Motion motionFrom(const TomlNode& sections, Shared& shared) {
   const ValueReader file(sections, "");
   Motion motion;
   std::vector<document::Field> fields;

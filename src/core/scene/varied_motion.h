@@ -52,7 +52,7 @@ class VariedMotions {
  public:
   /// Takes what motionFrom() takes, without the key's values, and the key; they must outlive this.
   /// `known` is the motion of `sections` if that is at hand, or null.
-  VariedMotions(const document::TomlNode& sections, const Shared& shared, const VariedKey& key,
+  VariedMotions(const document::TomlNode& sections, Shared& shared, const VariedKey& key,
                 const Motion* known = nullptr);
 
   /// Returns the motion with that value of the key. Throws InputError.
@@ -60,7 +60,7 @@ class VariedMotions {
 
  private:
   const document::TomlNode& sections_;
-  const Shared& shared_;
+  Shared& shared_;
   const VariedKey& key_;
   /// The motion without the values, where nothing but its start follows from them: its body, and
   /// what holds its particles together, is settled once.
@@ -68,6 +68,6 @@ class VariedMotions {
 };
 
 /// Reads, checks and settles a motion. Throws InputError.
-Motion motionFrom(const document::TomlNode& sections, const Shared& shared);
+Motion motionFrom(const document::TomlNode& sections, Shared& shared);
 
 }  // namespace rotatebook::scene

@@ -29,7 +29,7 @@ Matrix3d someRotation() {
 
 std::string refusalOf(const Matrix3d& tensor) {
   try {
-    checkInertia(tensor);
+    checkedInertia(tensor);
   } catch (const InputError& error) {
     return error.what();
   }

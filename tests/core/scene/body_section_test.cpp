@@ -53,7 +53,7 @@ TEST(BodySection, AShapeDecidesSizeMassAndInertia) {
   EXPECT_FALSE(scene.motions[0].solid.isBook());
   EXPECT_NEAR(scene.motions[0].body.mass, 0.09771609789725692, 1e-15);
   ASSERT_TRUE(scene.motions[0].inertia);
-  EXPECT_NEAR((*scene.motions[0].inertia)(1, 1) / 8.025748840628036e-05, 1,
+  EXPECT_NEAR(scene.motions[0].inertia->tensor()(1, 1) / 8.025748840628036e-05, 1,
               4e-9);  // measured 8e-10
   EXPECT_NEAR(scene.motions[0].body.size.x(), 0.12, 1e-15);
   EXPECT_NEAR(scene.motions[0].body.size.y(), 0.1106667,
@@ -90,15 +90,15 @@ TEST(BodySection, PartsAddUp) {
       "turn = [\"90 deg\", \"x\"]\nplace = [0, 0.038, 0]\n");
   const Scene handle = sceneFrom(kHandle);
   // Measured 3e-16.
-  EXPECT_LT((*scene.motions[0].inertia - *handle.motions[0].inertia).norm() /
-                handle.motions[0].inertia->norm(),
+  EXPECT_LT((scene.motions[0].inertia->tensor() - handle.motions[0].inertia->tensor()).norm() /
+                handle.motions[0].inertia->tensor().norm(),
             1e-13);
 }
 
 TEST(BodySection, AMeshIsReadInItsUnit) {
   const Scene scene = withMesh("[body]\nmesh = \"cube.obj\"\nunit = \"cm\"\ndensity = 1000");
   EXPECT_NEAR(scene.motions[0].body.mass, 0.008, 1e-17);
-  EXPECT_NEAR((*scene.motions[0].inertia)(2, 2), 0.008 * 0.0004 / 6, 1e-20);
+  EXPECT_NEAR(scene.motions[0].inertia->tensor()(2, 2), 0.008 * 0.0004 / 6, 1e-20);
   EXPECT_THAT(sceneText(scene), HasSubstr("mesh = { file = \"cube.obj\", volume = 8.0, "));
   EXPECT_THAT(sceneText(scene), HasSubstr("density = 1000.0\n"));
 }

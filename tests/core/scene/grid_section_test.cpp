@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/key_rows.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 

@@ -98,12 +98,12 @@ class ValueReader {
 void readEach(std::span<const ValueReader> values,
               const std::function<void(const ValueReader&)>& read);
 
-/// Runs `check`, and throws an InputError of it again with the location of `value`: who checks
-/// knows the problem, but not the location.
+/// Returns what `check` returns, and throws an InputError of it again with the location of `value`:
+/// who checks knows the problem, but not the location.
 template <typename Check>
-void failAtValue(const ValueReader& value, const Check& check) {
+auto failAtValue(const ValueReader& value, const Check& check) {
   try {
-    check();
+    return check();
   } catch (const InputError& error) {
     value.fail(error.what());
   }

@@ -32,7 +32,7 @@ constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e2
 constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
                                   Dimension::Time};
 
-Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
+rigid::Inertia inertiaFrom(const ValueReader& value) {
   const auto rows = value.elements(
       3, "three moments, [Ix, Iy, Iz], or a tensor of three rows, [[Ixx, Ixy, Ixz], ...]");
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
@@ -43,19 +43,20 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   } else {
     tensor.diagonal() = vectorFrom(value, kMoments);
   }
-  failAtValue(value, [&] { rigid::checkInertia(tensor); });
-  return tensor;
+  return failAtValue(value, [&] { return rigid::checkedInertia(tensor); });
 }
 
 void readMoment(const ValueReader& number, std::string_view part, const ValueForm&,
-                Eigen::Matrix3d& tensor) {
+                rigid::Inertia& inertia) {
+  Eigen::Matrix3d tensor = inertia.tensor();
   Eigen::Vector3d moments = tensor.diagonal();
   readElement(number, part, kMoments, moments);
   tensor.diagonal() = moments;
-  failAtValue(number, [&] { rigid::checkInertia(tensor); });
+  inertia = failAtValue(number, [&] { return rigid::checkedInertia(tensor); });
 }
 
-std::string inertiaText(const Eigen::Matrix3d& tensor) {
+std::string inertiaText(const rigid::Inertia& inertia) {
+  const Eigen::Matrix3d& tensor = inertia.tensor();
   if (tensor.isDiagonal(0)) return vectorText(tensor.diagonal());
   return "[" +
          joined({vectorText(tensor.row(0)), vectorText(tensor.row(1)), vectorText(tensor.row(2))}) +

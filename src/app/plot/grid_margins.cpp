@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "overlay/canvas.h"
 #include "plot/plot.h"
+#include "scene/key_rows.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::plot {

@@ -21,9 +21,7 @@ SettledBody settledBody(const ValueReader& file, const Solid& solid) {
   return failAtValue(place.value_or(file), [&]() -> SettledBody {
     requireMatter(solid.parts);
     const SolidNumbers numbers = numbersOf(solid);
-    return {solid,
-            {numbers.size, numbers.properties.mass},
-            rigid::checkedInertia(numbers.properties.inertia)};
+    return {solid, {numbers.size, numbers.properties.mass}, numbers.inertia};
   });
 }
 

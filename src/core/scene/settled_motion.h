@@ -22,7 +22,7 @@ struct Shared {
   /// Their timePerFrame and substepped.
   physics::SimulationSettings clock;
   const MeshFiles& meshes;            ///< As far as they were read.
-  std::vector<SettledBody> bodies{};  ///< Those that aren't the book, each once.
+  std::vector<SettledBody> bodies{};  ///< Each once.
 };
 
 /// Returns what the motions of a scene have in common.

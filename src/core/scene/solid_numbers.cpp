@@ -50,13 +50,19 @@ void putInPlace(const BodyPart& part, TriangleMesh& surface) {
   for (Vector3d& point : surface.points) point = rotation * point + part.place;
 }
 
+/// The numbers of a solid, of which may be no body.
+struct Sum {
+  MassProperties properties;
+  Vector3d size;
+};
+
 MassProperties multiplied(MassProperties properties, double factor) {
   properties.mass *= factor;
   properties.inertia *= factor;
   return properties;
 }
 
-SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
+Sum sumOfParts(const std::vector<BodyPart>& parts) {
   // Take away last, so that all sums before are bodies
   std::vector<MassProperties> added, taken;
   std::vector<TriangleMesh> surfaces;
@@ -84,7 +90,7 @@ void requireDrawable(const body::Surface& surface, const std::string& name) {
                    std::to_string(body::kMaxDrawnTriangles) + ": make it coarser");
 }
 
-SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
+Sum sumOfMesh(const MeshFile& mesh, double density) {
   const double u = mesh.unit, cubed = u * u * u;
   return {multiplied({mesh.volume * cubed, mesh.volume * cubed, Vector3d::Zero(),
                       mesh.inertia * (cubed * (u * u))},
@@ -129,20 +135,19 @@ body::Surface surfaceOf(const Solid& solid) {
     addSurface(look, surface);
     requireDrawable(surface, "body.part");
   }
-  const Vector3d centre = numbersOfParts(solid.parts).properties.centre;
+  const Vector3d centre = sumOfParts(solid.parts).properties.centre;
   surface.mesh = body::welded(surface.mesh);
   for (Vector3d& point : surface.mesh.points) point -= centre;
   return surface;
 }
 
 SolidNumbers numbersOf(const Solid& solid) {
-  SolidNumbers numbers = solid.mesh.name.empty()
-                             ? numbersOfParts(solid.parts)
-                             : numbersOfMesh(solid.mesh, solid.density.value_or(1));
-  MassProperties& properties = numbers.properties;
+  auto [properties, size] = solid.mesh.name.empty()
+                                ? sumOfParts(solid.parts)
+                                : sumOfMesh(solid.mesh, solid.density.value_or(1));
   if (solid.mass) properties = multiplied(properties, *solid.mass / properties.mass);
   rigid::clearRounding(properties.inertia);
-  return numbers;
+  return {properties, size, rigid::checkedInertia(properties.inertia)};
 }
 
 MeshFile readMeshFile(const std::string& name, std::string_view bytes) {

@@ -9,6 +9,7 @@
 #include "body/mass_properties.h"
 #include "body/solid_piece.h"
 #include "body/surface.h"
+#include "rigid/inertia.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {
@@ -18,10 +19,12 @@ struct SolidNumbers {
   /// Along the axes of the solid, with its centre as it is placed; that of a mesh is 0.
   body::MassProperties properties;
   Eigen::Vector3d size{0, 0, 0};  ///< Of the box around it whose middle is its centre. [m]
+  rigid::Inertia inertia;         ///< That of the properties, with its axes.
 };
 
 /// Returns the mass properties of a solid that isn't the book: sums of its parts', also where they
-/// overlap. Throws InputError if lengths don't fit each other, or no mass is left.
+/// overlap. Throws InputError if lengths don't fit each other, no mass is left, or no body has such
+/// an inertia.
 SolidNumbers numbersOf(const Solid& solid);
 
 /// Returns a part's density, or else its shape's. [kg/m^3]

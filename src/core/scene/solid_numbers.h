@@ -19,7 +19,7 @@ struct SolidNumbers {
   /// Along the axes of the solid, with its centre as it is placed; that of a mesh is 0.
   body::MassProperties properties;
   Eigen::Vector3d size{0, 0, 0};  ///< Of the box around it whose middle is its centre. [m]
-  rigid::Inertia inertia;         ///< That of the properties, with its axes.
+  rigid::Inertia inertia;         ///< Of the properties.
 };
 
 /// Returns the mass properties of a solid that isn't the book: sums of its parts', also where they

@@ -16,11 +16,9 @@ using Action = std::function<int()>;
 /// Describes a command and its options to the parser; sets `action` if the command is chosen.
 using AddCommand = void(CLI::App& program, Action& action);
 
-AddCommand addRenderCommand, addSimulateCommand, addStudyCommand, addMapCommand, addSubmitCommand,
-    addStatusCommand, addInfoCommand, addJudgeCommand, addTossCommand, addPageCommand,
-    addStillCommand, addBenchCommand, addDoctorCommand, addNewCommand, addCheckCommand,
-    addListCommand, addAssembleCommand, addVerifyCommand, addDiffCommand, addAfterCrashCommand,
-    addHelpCommand;
+#define ROTATEBOOK_COMMAND(add) AddCommand add;
+#include "cli/command_list.inc"
+#undef ROTATEBOOK_COMMAND
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";

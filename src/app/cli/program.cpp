@@ -38,13 +38,11 @@ Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input i
 can't do it (no EGL or encoder; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
 143 interrupted; 75, in place of 3 or these, if --retry-status asks for it and trying again may help.)";
 
-/// In the order of the help.
 constexpr std::initializer_list<AddCommand*> kCommands{
-    addRenderCommand, addSimulateCommand, addStudyCommand,  addMapCommand,  addSubmitCommand,
-    addStatusCommand, addInfoCommand,     addJudgeCommand,  addTossCommand, addPageCommand,
-    addStillCommand,  addBenchCommand,    addDoctorCommand, addNewCommand,  addCheckCommand,
-    addListCommand,   addAssembleCommand, addVerifyCommand, addDiffCommand, addAfterCrashCommand,
-    addHelpCommand};
+#define ROTATEBOOK_COMMAND(add) add,
+#include "cli/command_list.inc"
+#undef ROTATEBOOK_COMMAND
+};
 
 /// Returns `status`; throws MachineError if what was printed got lost.
 int afterFlush(int status) {

@@ -74,11 +74,12 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
     document::failAt(path.string(), fmt::format("the scene's name {} {}; rename the file",
                                                 document::tomlString(name), problem));
   }
-  scene::Scene scene = scene::parseScene(
-      readSceneText(path), path, overrides, [&](const fs::path& file, std::size_t most) {
-        return picture::readNamedFile(path.parent_path(), file, most, allowOutside);
-      });
+  const auto readNamedFile = [&](const fs::path& file, std::size_t most) {
+    return picture::readNamedFile(path.parent_path(), file, most, allowOutside);
+  };
+  scene::Scene scene = scene::parseScene(readSceneText(path), path, overrides, readNamedFile);
   scene.allowOutside = allowOutside;
+  scene::readMeshFiles(scene, readNamedFile);
   return scene;
 }
 

@@ -89,7 +89,8 @@ void readMeshFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
     MeshFile& mesh = panel.solid.mesh;
     takeContent(read, mesh);
     if (mesh.name.empty() || mesh.content != nullptr) continue;
-    takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh);
+    atLocationOf(scene, scene.hasPanels() ? "panel" : "body",
+                 [&] { takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh); });
     read.try_emplace(mesh.name, mesh);
   }
 }

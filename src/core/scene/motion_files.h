@@ -13,8 +13,9 @@ namespace rotatebook::scene {
 /// that lack their surface, and throws InputError as placeInMesh() does.
 void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile);
 
-/// Gives the meshes of the motions their content, which those of a clip's record lack. Throws
-/// InputError as takeMeshFile() does, and if `readNamedFile` refuses a file.
+/// Gives the meshes of the motions their content, which those of a printed scene lack. Throws
+/// InputError at the bodies' location as takeMeshFile() does, and if `readNamedFile` refuses a
+/// file.
 void readMeshFiles(Scene& scene, const ReadNamedFile& readNamedFile);
 
 }  // namespace rotatebook::scene

@@ -55,20 +55,9 @@ double reduced(const Trajectory& trajectory, const MotionSettings& motion, Measu
       return physics::tiltGrowth(modelInertia(motion));
     case Measure::Order:
       return largestDeparture(trajectory, Measure::ErrorDeg);
-    case Measure::HalfTurns:
-    case Measure::TiltDeg:
-    case Measure::EnergyRatio:
-    case Measure::RotationalRatio:
-    case Measure::MomentumRatio:
-    case Measure::Stretch:
-    case Measure::ErrorDeg:
-    case Measure::CentreDrift:
-    case Measure::DivergesAt:
-    case Measure::EnergyDrift:
-    case Measure::TurnedDeg:
-      break;
+    default:  // of each moment
+      return largestDeparture(trajectory, measure);
   }
-  return largestDeparture(trajectory, measure);
 }
 
 }  // namespace rotatebook::study

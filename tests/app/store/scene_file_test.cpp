@@ -3,10 +3,12 @@
 #include <filesystem>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "scene/parse.h"
+#include "scene/scene_text.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
@@ -139,6 +141,23 @@ TEST_F(SceneFileTest, SaysWhyAFileCannotBeRead) {
   } catch (const MachineError& error) {
     EXPECT_STREQ(error.what(), "can't read /proc/self/mem: Input/output error");
   }
+}
+
+// A printed scene states a mesh's numbers, as records do, and not what it looks like.
+TEST_F(SceneFileTest, APrintedSceneHasItsMesh) {
+  write("tetrahedron.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  const std::string text =
+      "[body]\nmesh = 'tetrahedron.obj'\ndensity = 700\n[initial]\nangular_velocity = [0, 4, 0]\n";
+  std::string printed = scene::sceneText(readScene(write("stated.toml", text)));
+  const scene::Scene again = readScene(write("printed.toml", printed));
+  EXPECT_NE(again.motions[0].solid.mesh.content, nullptr);
+  EXPECT_EQ(scene::sceneText(again), printed);
+  const std::string volume = "volume = 0.16666666666666666";
+  ASSERT_NE(printed.find(volume), std::string::npos) << printed;
+  printed.replace(printed.find(volume), volume.size(), "volume = 0.2");
+  EXPECT_THAT(errorOfFile(write("false.toml", printed)),
+              testing::EndsWith(": the file \"tetrahedron.obj\" has changed: it is another body"));
 }
 
 }  // namespace

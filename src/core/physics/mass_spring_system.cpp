@@ -1,5 +1,7 @@
 #include "physics/mass_spring_system.h"
 
+#include <utility>
+
 #include "rigid/inertia.h"
 
 namespace rotatebook::physics {
@@ -27,6 +29,11 @@ void centre(std::vector<Eigen::Vector3d>& places) {
   for (const Eigen::Vector3d& place : places) sum += place;
   const Eigen::Vector3d mean = sum / static_cast<double>(places.size());
   for (Eigen::Vector3d& place : places) place -= mean;
+}
+
+PlacedParticles placed(MassSpringSystem system, double mass) {
+  const rigid::Inertia inertia(system.inertia(mass));
+  return {std::make_shared<const MassSpringSystem>(std::move(system)), inertia};
 }
 
 }  // namespace rotatebook::physics

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
+
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -55,11 +58,15 @@ struct MassSpringSystem {
 /// A system that follows from a body's surface, made by who has the surface.
 struct PlacedParticles {
   std::shared_ptr<const MassSpringSystem> system{};  ///< Null for the arrangements of eight.
+  std::optional<rigid::Inertia> inertia{};           ///< Of the system with the body's mass.
 
   friend bool operator==(const PlacedParticles& a, const PlacedParticles& b) {
     return a.system == b.system || (a.system && b.system && *a.system == *b.system);
   }
 };
+
+/// Returns particles that have this `mass` together. [kg]
+PlacedParticles placed(MassSpringSystem system, double mass);
 
 /// Returns the springs between all pairs of `count` particles.
 std::vector<Spring> allPairs(std::size_t count);

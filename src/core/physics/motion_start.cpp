@@ -9,6 +9,7 @@ rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
   if (settings.simulation.model == Model::Particles) {
     if (settings.simulation.particles.arrangement == Arrangement::Corners)
       return {settings.body.particleInertia()};
+    if (settings.particles.inertia) return settings.particles.inertia->axes();
     return rigid::principalAxes(particlesOf(settings).inertia(settings.body.mass));
   }
   if (settings.inertia) return settings.inertia->axes();

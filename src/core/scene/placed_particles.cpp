@@ -142,7 +142,7 @@ void checkParticlesBody(const ValueReader& section, const physics::SimulationSet
 }
 
 void placeParticles(const ValueReader& file, Motion& motion) {
-  motion.particles.system.reset();
+  motion.particles = {};
   const Arrangement arrangement = motion.simulation.particles.arrangement;
   const bool areCorners = arrangement == Arrangement::Corners;
   if (motion.simulation.model != physics::Model::Particles || areCorners) return;
@@ -157,13 +157,13 @@ void placeParticles(const ValueReader& file, Motion& motion) {
   requireShape(place, system, motion);
   requireStableStep(file, motion, system);
   if (!physics::areEight(arrangement))
-    motion.particles.system = std::make_shared<const MassSpringSystem>(std::move(system));
+    motion.particles = physics::placed(std::move(system), motion.body.mass);
 }
 
 void placeInMesh(Motion& motion, const ReadNamedFile& readNamedFile) {
   MeshFile& mesh = motion.solid.mesh;
   takeMeshFile(readNamedFile(mesh.name, kLongestMesh), mesh);
-  motion.particles.system = std::make_shared<const MassSpringSystem>(systemOf(motion));
+  motion.particles = physics::placed(systemOf(motion), motion.body.mass);
   if (motion.initial.about) turnSpinToAxis(motion);
 }
 

@@ -49,22 +49,25 @@ std::string tomlOf(const std::string& value, const std::string& option) {
   return document::parseTomlValue(value, "") ? value : document::tomlString(value);
 }
 
-/// Returns the list of the whole numbers `first` to `last`.
-std::string wholeNumbers(std::int64_t first, std::int64_t last, const std::string& option) {
-  const std::string range = fmt::format("{}..{}", first, last);
+/// Returns the list of the whole numbers `first` to `last`, each with `unit`, if there is one.
+std::string wholeNumbers(std::int64_t first, std::int64_t last, const std::string& unit,
+                         const std::string& option) {
+  const std::string after = unit.empty() ? "" : " " + unit;
+  const std::string range = fmt::format("{0}{2}..{1}{2}", first, last, after);
   if (first > last) fail(option, range + " runs downward; write the smaller number first");
   if (last - first >= static_cast<std::int64_t>(scene::kMaxGridSide)) {
     fail(option, fmt::format("{} has {} values; a side has up to {}: list some, such as 1,2,4,8",
                              range, last - first + 1, scene::kMaxGridSide));
   }
   std::vector<std::string> list;
-  for (std::int64_t i = first; i <= last; ++i) list.push_back(std::to_string(i));
+  for (std::int64_t i = first; i <= last; ++i)
+    list.push_back(tomlOf(std::to_string(i) + after, option));
   return fmt::format("values = [{}]", joined(list));
 }
 
 /// Returns the keys of an axis that state its values.
 std::string valuesOf(const std::string& values, const std::string& option) {
-  static const std::regex kRange(R"((-?[0-9]{1,9})\.\.(-?[0-9]{1,9}))");
+  static const std::regex kRange(R"((-?[0-9]{1,9})\s*([^\s\d.,]*)\.\.(-?[0-9]{1,9})\s*\2)");
   if (values.starts_with('[') || values.starts_with('{')) {
     if (document::parseTomlValue(values, "")) {
       return values[0] == '[' ? "values = " + values : values.substr(1, values.size() - 2);
@@ -75,12 +78,12 @@ std::string valuesOf(const std::string& values, const std::string& option) {
   }
   std::smatch range;
   if (std::regex_match(values, range, kRange)) {
-    return wholeNumbers(std::stoll(range[1]), std::stoll(range[2]), option);
+    return wholeNumbers(std::stoll(range[1]), std::stoll(range[3]), range[2], option);
   }
   if (values.find("..") != values.npos) {
-    fail(option,
-         values +
-             " is no range of whole numbers, such as 1..8; list other numbers, such as 0.1,1,10");
+    fail(option, values +
+                     " is no range of whole numbers, such as 1..8, or 1 deg..3 deg with a unit at "
+                     "both ends; list other numbers, such as 0.1,1,10");
   }
   return fmt::format("values = [{}]", joinedOf(itemsOf(values), [&](const std::string& value) {
                        return tomlOf(value, option);

@@ -62,8 +62,7 @@ void checkMotionKey(const ReadAxis& read, const std::vector<Panel>& motions) {
   for (const Panel& panel : motions) {
     refuseWhatOthersFollowFrom(read, panel);
     const auto& location = place.node().location;
-    for (const char* end : {"from", "to"}) {
-      const double value = read.end(end).number(document::kNumber);
+    for (const double value : {read.axis.from, read.axis.to}) {
       const MotionNumber number(panel.motion(), key, value,
                                 location);  // refuses what takes no number
       physics::MotionSettings motion = panel.motion();

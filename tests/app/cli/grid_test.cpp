@@ -72,6 +72,10 @@ TEST_F(GridCommands, AnOptionTakesWholeNumbersWordsAndRanges) {
   EXPECT_THAT(sceneOf("simulation.substeps=1..8"),
               HasSubstr("columns = { key = \"simulation.substeps\", values = [1, 2, 3, 4, 5, 6, 7, "
                         "8] }\n"));
+  for (const char* tilts : {"1 deg..3 deg", "1deg..3 deg"}) {
+    EXPECT_THAT(sceneOf(std::string("initial.tilt=") + tilts + " x simulation.substeps=1..2"),
+                HasSubstr("values = [\"1 deg\", \"2 deg\", \"3 deg\"]"));
+  }
   EXPECT_THAT(sceneOf("simulation.integrator=euler,rk4"),
               HasSubstr("values = [\"euler\", \"rk4\"]"));
   EXPECT_THAT(sceneOf("simulation.substeps={ from = 1, to = 100, count = 3, scale = \"log\" }"),
@@ -91,6 +95,9 @@ TEST_F(GridCommands, RefusalsNameTheOption) {
   EXPECT_THAT(errorOf("simulation.substeps=8..1"), HasSubstr("8..1 runs downward"));
   EXPECT_THAT(errorOf("simulation.substeps=1..99"),
               HasSubstr("1..99 has 99 values; a side has up"));
+  EXPECT_THAT(errorOf("initial.tilt=9 deg..1 deg"), HasSubstr("9 deg..1 deg runs downward"));
+  EXPECT_THAT(errorOf("initial.tilt=1..3 deg"), HasSubstr("or 1 deg..3 deg with a unit at both"));
+  EXPECT_THAT(errorOf("initial.tilt=1 s..3 s"), HasSubstr("\"rad\", \"deg\", \"turn\" or"));
   EXPECT_THAT(errorOf("simulation.substeps=1,,2"), HasSubstr("a value is empty"));
   EXPECT_THAT(errorOf("simulation.substeps={ from = 1"), HasSubstr("isn't TOML"));
   EXPECT_THAT(errorOf("body.mass=1,2 x initial.tilt=1,2 x simulation.substeps=1,2"),

@@ -1,5 +1,6 @@
 // [grid]: the motions of its cells, what they are called, what is expected of them, and what is
 // refused.
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -71,6 +72,10 @@ TEST(GridSection, TakesRangesWordsUnitsAndLabels) {
       "columns = { key = 'simulation.substeps',"
       " from = 1, to = 100, count = 3, scale = 'log' }");
   EXPECT_EQ(range.motions[1].simulation.substeps, 10);
+  const Scene tilts =
+      gridOf("rows = { key = 'initial.tilt', from = '1 deg', to = '0.25 turn', count = 3 }");
+  EXPECT_EQ(tilts.motions[0].initial.tilt->angle, std::numbers::pi / 180);
+  EXPECT_EQ(tilts.motions[2].initial.tilt->angle, std::numbers::pi / 2);
   const Scene spins = gridOf(
       "columns = { key = 'initial.angular_velocity', label = 'spin',"
       " values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");

@@ -1,5 +1,6 @@
 // [map]: what is read, printed and refused.
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,24 @@ TEST(MapSection, HasAxesAndMeasure) {
   EXPECT_EQ(map.measure, Measure::FirstFlip);
   EXPECT_EQ(map.runs(), 200);
   EXPECT_EQ(map.duration, 2.0);
+}
+
+TEST(MapSection, HasAxesWithUnits) {
+  const Scene scene = sceneFrom(
+      "[map]\nx = { key = 'time', from = '500 ms', to = 2 }\n"
+      "y = { key = 'initial.angular_velocity.2', from = 1, to = '60 rpm' }\nmeasure = 'tilt_deg'");
+  EXPECT_EQ(scene.map->x.from, 0.5);
+  EXPECT_EQ(scene.map->y.to, 2 * std::numbers::pi);
+  EXPECT_THAT(sceneText(scene), HasSubstr("{ key = \"time\", from = 0.5, to = 2.0,"));
+  EXPECT_EQ(*parseScene(sceneText(scene), "a.toml").map, *scene.map);
+  EXPECT_EQ(errorOfAxis("key = 'time', from = '1 s', to = '2 deg'"),
+            "a.toml:2:40: map.x.to must be a number, not \"2 deg\"; a text is a number and a unit, "
+            "\"s\", \"ms\" or \"min\", such as \"1.5 s\"");
+  EXPECT_EQ(errorOfAxis("key = 'time', from = '-1 s', to = 2"),
+            "a.toml:2:28: map.x.from must be at least 0.0, not \"-1 s\"");
+  EXPECT_EQ(errorOfAxis("key = 'spin.longitude', from = '1 deg', to = 2"),
+            "a.toml:2:38: map.x.from must be a number, not \"1 deg\"; map.x.key names no key that "
+            "takes a unit");
 }
 
 TEST(MapSection, PutsValuesIntoTheMiddlesOfPixels) {

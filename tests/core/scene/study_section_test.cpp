@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/key_rows.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 
@@ -138,6 +139,42 @@ TEST(StudySection, TakesRanges) {
       << "whole, as its ends are";
   EXPECT_THAT(stiffnesses("from = 1.0, to = 100.0, count = 4, scale = 'log'"),
               ElementsAre("1", "4.64159", "21.5443", "100"));
+}
+
+TEST(StudySection, TakesRangesWithUnits) {
+  const std::string x = "x = { key = 'simulation.step', from = '1 ms', to = '10 ms', count = 3 }\n";
+  const Scene scene = sceneFrom("[study]\nmeasure = ['error_deg']\n" + x);
+  EXPECT_THAT(labelsOf(scene.study->x), ElementsAre("0.001", "0.0055", "0.01"));
+  EXPECT_EQ(nameOf(scene.study->x), "simulation.step  [s]");
+  EXPECT_EQ(scene.runs[1].motion.simulation.step, 0.0055);
+  EXPECT_THAT(sceneText(scene), HasSubstr("values = [0.001, 0.0055, 0.01]"));
+  EXPECT_EQ(*parseScene(sceneText(scene), "a.toml").study, *scene.study);
+  const auto masses = [](const std::string& ends) {
+    return labelsOf(studyOf("measure = ['error_deg']\nx = { " + ends + ", key = 'body.mass' }").x);
+  };
+  EXPECT_THAT(masses("from = '500 g', to = 2, count = 4"), ElementsAre("0.5", "1", "1.5", "2"));
+  EXPECT_THAT(masses("from = 1, to = '100 kg', count = 3, scale = 'log'"),
+              ElementsAre("1", "10", "100"));
+}
+
+TEST(StudySection, NamesTheUnitsOfARangesEnds) {
+  const auto errorFrom = [](const std::string& key, const std::string& from) {
+    return errorOf("[study]\nmeasure = ['error_deg']\nx = { " + key + "from = '" + from +
+                   "', to = 10, count = 3 }");
+  };
+  EXPECT_EQ(errorFrom("key = 'simulation.step', ", "1 cm"),
+            "a.toml:3:39: study.x.from must be a number, not \"1 cm\"; a text is a number and a "
+            "unit, \"s\", \"ms\" or \"min\", such as \"1.5 s\"");
+  EXPECT_EQ(errorFrom("key = 'simulation.step', ", "20 s"),
+            "a.toml:3:39: study.x runs from 20.0 to 10.0; from must be less than to");
+  EXPECT_EQ(errorFrom("key = 'simulation.step', ", "0 s"),
+            "a.toml:3:39: simulation.step must be a time from 1e-9 to 1e9 s, not 0.0");
+  for (const char* key : {"key = 'simulation.substeps', ", "key = 'simulation.stepp', ", ""}) {
+    EXPECT_THAT(errorFrom(key, "1 ms"),
+                HasSubstr("study.x.from must be a number, not \"1 ms\"; study.x.key names no key "
+                          "that takes a unit"))
+        << key;
+  }
 }
 
 TEST(StudySection, TakesAnyValueWithALabel) {

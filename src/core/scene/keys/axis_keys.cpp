@@ -27,6 +27,10 @@ constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
                                                      {"moments.smallest", AxisKind::SmallestMoment},
                                                      {"moments.middle", AxisKind::MiddleMoment}}};
 
+bool isText(const ValueReader& value) {
+  return std::holds_alternative<std::string>(value.node().value);
+}
+
 /// Keys of an axis that is a range.
 Keys<Axis> rangeKeys() {
   static constexpr std::array keys{
@@ -37,6 +41,32 @@ Keys<Axis> rangeKeys() {
       key<&Axis::label, textFrom, optionalText>("label", textForm(kLongestLabel)),
   };
   return keys;
+}
+
+/// Returns the dimension of the axis's key, if there is one.
+std::optional<Dimension> dimensionOf(const ValueReader& table) {
+  const auto key = table.find("key");
+  const auto* name = key ? std::get_if<std::string>(&key->node().value) : nullptr;
+  if (name == nullptr) return std::nullopt;
+  if (*name == nameOf(kAxisKinds, AxisKind::Time)) return Dimension::Time;
+  const KeyRow* row = findKey(*name);
+  return row != nullptr ? row->form.dimension : std::nullopt;
+}
+
+/// Returns a field for each key of a range, whose ends may have a unit if the axis's key has any.
+std::vector<Field> rangeFields(const ValueReader& table, Axis& axis) {
+  const auto read = [&axis, name = table.name(), dimension = dimensionOf(table)](
+                        const Key<Axis>& key, const ValueReader& value) {
+    ValueForm form = key.form;
+    const bool isEnd = form.type == ValueForm::Type::Number;
+    if (isEnd && !dimension && isText(value)) {
+      value.fail(value.name() + " must be a number, not " + describe(value.node()) + "; " + name +
+                 ".key names no key that takes a unit");
+    }
+    if (isEnd) form.dimension = dimension;
+    key.reader(value, form, axis);
+  };
+  return fieldsOf(rangeKeys(), read);
 }
 
 void checkRange(const ValueReader& table, const Axis& axis) {
@@ -58,9 +88,15 @@ double rounded(double value) {
   return value;
 }
 
+/// Returns the end of a range as a number.
+TomlNode endNode(const ValueReader& end, double number) {
+  return isText(end) ? TomlNode{number, end.node().location} : end.node();
+}
+
 /// Returns the values of a range; those between its ends are short to write.
 std::vector<TomlNode> nodesOf(const ValueReader& table, const Axis& range, int count) {
-  const TomlNode &from = table.find("from")->node(), &to = table.find("to")->node();
+  const TomlNode from = endNode(*table.find("from"), range.from);
+  const TomlNode to = endNode(*table.find("to"), range.to);
   const bool isWhole = std::holds_alternative<std::int64_t>(from.value) &&
                        std::holds_alternative<std::int64_t>(to.value);
   std::vector<TomlNode> nodes{from};
@@ -124,7 +160,7 @@ std::vector<StatedValue> valuesOf(const std::vector<ValueReader>& elements, cons
 StatedAxis statedAxis(const ValueReader& table) {
   StatedAxis stated;
   int count = 0;
-  std::vector<Field> fields = fieldsInto(stated.axis, rangeKeys());
+  std::vector<Field> fields = rangeFields(table, stated.axis);
   fields.push_back({"values", [](const ValueReader&) {}});
   fields.push_back({"count", [&](const ValueReader& value) {
                       count = value.integer(2, static_cast<int>(kMaxRuns));
@@ -166,7 +202,7 @@ std::string valueAxisText(const Axis& axis) {
 
 Axis pixelAxisFrom(const ValueReader& table) {
   Axis axis;
-  readKeys(table, rangeKeys(), axis);
+  table.readTable(rangeFields(table, axis));
   requireKeys(table, {"key", "from", "to"});
   const auto special = std::ranges::find(kAxisKinds, axis.key, &Named<AxisKind>::name);
   if (special != kAxisKinds.end()) axis.kind = special->value;
@@ -187,7 +223,7 @@ std::string labelOf(const ValueReader& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&node)) return std::to_string(*whole);
   if (const auto* real = std::get_if<double>(&node)) return shortestText(*real);
   if (const bool* flag = std::get_if<bool>(&node)) return *flag ? "true" : "false";
-  if (!std::holds_alternative<std::string>(node)) {
+  if (!isText(value)) {
     value.mismatch(std::string("a number, a word, or ") + kExpectedLabelled);
   }
   std::string label = value.text(kLongestLabel);

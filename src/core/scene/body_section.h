@@ -7,8 +7,8 @@
 
 #include "base/document/toml_tree.h"
 #include "scene/keys/section.h"
+#include "scene/read_named_file.h"
 #include "scene/scene.h"
-#include "scene/scene_text.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {

@@ -11,30 +11,6 @@
 namespace rotatebook::scene {
 namespace {
 
-/// Returns `text` with whatever is in "quotes" as Markdown code.
-std::string quotedAsCode(std::string_view text) {
-  std::string result;
-  bool isQuoted = false;
-  for (const char letter : text) {
-    if (letter != '"') {
-      result += letter;
-      continue;
-    }
-    result += isQuoted ? "\"`" : "`\"";
-    isQuoted = !isQuoted;
-  }
-  return result;
-}
-
-std::string meaningOf(const KeyText& key, const ValueForm& form, const std::string& unit) {
-  const std::string models = key.models == kOfParticles  ? "particles: "
-                             : key.models == kOfRecorded ? "recorded: "
-                             : key.models == kOfRigid    ? "rigid models: "
-                                                         : "";
-  return models + (key.meaning.empty() ? commentOf(key, form) : std::string(key.meaning)) +
-         (unit.empty() ? "" : " [" + unit + "]");
-}
-
 std::vector<KeyRow> collectedKeys() {
   std::vector<KeyRow> all = rowsOf("", titleKeys());
   const auto add = [&all](std::vector<KeyRow> rows, bool ofMotion = false) {
@@ -67,20 +43,6 @@ std::string rowName(std::string_view key, bool isPart) {
 }
 
 }  // namespace
-
-KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::string value) {
-  std::string unit(key.unit);
-  if (unit.empty() && form.dimension) unit = unitsOf(*form.dimension).front();
-  return {.name = std::move(name),
-          .byDefault = key.byDefault.empty() ? "`" + value + "`" : std::string(key.byDefault),
-          .allowed = quotedAsCode(allowedOf(key, form)),
-          .meaning = meaningOf(key, form, unit),
-          .value = std::move(value),
-          .form = form,
-          .unit = unit,
-          .models = key.models,
-          .affects = key.affects};
-}
 
 const std::vector<KeyRow>& allKeys() {
   static const std::vector<KeyRow> rows = collectedKeys();

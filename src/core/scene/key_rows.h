@@ -2,80 +2,16 @@
 // margins, checks of what varies, fingerprints and the live book's controls follow from it.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "base/units.h"
 #include "physics/motion_settings.h"
 #include "scene/axis.h"
+#include "scene/key_row.h"
 
 namespace rotatebook::scene {
-
-inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
-
-/// The part of a clip that a key changes. Whatever changes the motion changes the others, too.
-enum class Affects {
-  Motion,   ///< The motions, or which of them there are.
-  Picture,  ///< Drawing and encoding.
-  Text,     ///< Words, and what is expected.
-};
-
-/// The models whose motions a key changes.
-struct KeyModels {
-  unsigned bits = 0;  ///< One for each model.
-
-  constexpr bool have(physics::Model model) const { return bits >> static_cast<int>(model) & 1; }
-  constexpr KeyModels but(KeyModels others) const { return {bits & ~others.bits}; }
-  friend bool operator==(KeyModels, KeyModels) = default;
-};
-
-constexpr KeyModels only(physics::Model model) {
-  return {1u << static_cast<int>(model)};
-}
-
-inline constexpr KeyModels kOfAll{~0u},
-    kOfRecorded = only(physics::Model::Recorded), kOfComputed = kOfAll.but(kOfRecorded),
-    kOfParticles = only(physics::Model::Particles), kOfRigid = kOfComputed.but(kOfParticles),
-    kOfStepwise = kOfComputed.but(only(physics::Model::Exact));
-
-/// The form of a key's value, with its limits.
-struct ValueForm {
-  enum class Type {
-    Own,  ///< One of its own, which KeyRow::allowed describes.
-    Integer,
-    Number,
-    Vector,  ///< Three numbers.
-    Text,
-    Choice,  ///< One of `choices`.
-  };
-
-  Type type = Type::Own;
-  double min = 0, max = 0;  ///< Of each number, in SI units; of a text's characters.
-  std::optional<Dimension> dimension{};
-  std::string_view expected{};  ///< Of Own, Number and Vector, as in messages: "a number".
-  std::span<const std::string_view> choices{};  ///< Of Type::Own: values are lists of them.
-  bool hasWholeParts = false;                   ///< Of Type::Own: its numbers are integers.
-
-  bool isWhole() const { return type == Type::Integer || hasWholeParts; }
-};
-
-/// A key. Its texts are Markdown.
-struct KeyRow {
-  std::string name;       ///< With its section: "clip.size"; "nudge.N.at" in an array of tables.
-  std::string byDefault;  ///< The value as TOML, or a description of one that depends on others.
-  std::string allowed;    ///< The allowed values, as in messages: "a number".
-  std::string meaning;    ///< With models and unit.
-  std::string value;      ///< The default as TOML; empty if there is none, or it depends on others.
-  ValueForm form;
-  std::string unit;  ///< Of its numbers: "kg m²"; empty if they have none.
-  KeyModels models = kOfAll;
-  Affects affects = Affects::Motion;
-  bool mayVary = false;  ///< In studies, grids and maps: it settles a single motion.
-};
 
 /// Returns all keys, section by section, those of each section in the order of messages.
 const std::vector<KeyRow>& allKeys();

@@ -1,8 +1,8 @@
 // The files that a scene's motions follow from.
 #pragma once
 
+#include "scene/read_named_file.h"
 #include "scene/scene.h"
-#include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 

@@ -13,8 +13,8 @@
 #include "body/mesh_readers.h"
 #include "physics/particle_places.h"
 #include "physics/spring_analysis.h"
+#include "scene/limits.h"
 #include "scene/names.h"
-#include "scene/sections.h"
 #include "scene/solid_numbers.h"
 #include "scene/solid_particles.h"
 #include "scene/spin_axis.h"
@@ -22,6 +22,7 @@
 namespace rotatebook::scene {
 namespace {
 
+using document::ValueReader;
 using physics::Arrangement;
 using physics::MassSpringSystem;
 

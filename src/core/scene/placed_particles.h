@@ -2,8 +2,8 @@
 #pragma once
 
 #include "base/document/value_reader.h"
+#include "scene/read_named_file.h"
 #include "scene/scene.h"
-#include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 

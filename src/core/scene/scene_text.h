@@ -1,24 +1,15 @@
 // Reads scenes from TOML text, and prints them as TOML.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "scene/read_named_file.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
-
-/// Returns the text of a file that a scene names, relative to its folder. Throws InputError
-/// "can't read FILE: CAUSE", also if it has more than `most` bytes.
-using ReadNamedFile =
-    std::function<std::string(const std::filesystem::path& file, std::size_t most)>;
-
-/// Longest file of a mesh. [bytes]
-inline constexpr std::size_t kLongestMesh = 256 << 20;
 
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
 /// Scene::folder; it isn't opened. Throws InputError with a line

@@ -4,14 +4,17 @@
 #include <optional>
 
 #include "base/document/value_reader.h"
+#include "scene/limits.h"
 #include "scene/part_densities.h"
 #include "scene/placed_particles.h"
-#include "scene/sections.h"
 #include "scene/solid_numbers.h"
 #include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {
+
+using document::failAtValue;
+using document::ValueReader;
 
 SettledBody settledBody(const ValueReader& file, const Solid& solid) {
   std::optional<ValueReader> place;

@@ -16,7 +16,7 @@
 #include "base/document/toml_text.h"
 #include "base/document/value_reader.h"
 #include "base/text.h"
-#include "scene/key_rows.h"
+#include "scene/key_row.h"
 
 namespace rotatebook::scene {
 

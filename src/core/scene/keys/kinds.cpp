@@ -14,22 +14,6 @@ constexpr NumberRange kTiltAngles{"an angle from -1e6 to 1e6 rad", -kLargestAngl
 
 }  // namespace
 
-std::string allowedOf(const KeyText& key, const ValueForm& form) {
-  if (!key.allowed.empty()) return std::string(key.allowed);
-  if (form.type == ValueForm::Type::Integer)
-    return document::expectedInteger(static_cast<int>(form.min), static_cast<int>(form.max));
-  if (form.type == ValueForm::Type::Text)
-    return document::expectedString(static_cast<std::size_t>(form.max));
-  if (form.type == ValueForm::Type::Choice) return quotedList(form.choices, "or");
-  return std::string(form.expected);
-}
-
-std::string commentOf(const KeyText& key, const ValueForm& form) {
-  if (!key.comment.empty() || form.choices.empty()) return std::string(key.comment);
-  const bool isOne = form.type == ValueForm::Type::Choice;
-  return isOne ? quotedList(form.choices, "or") : "of " + quotedList(form.choices, "and");
-}
-
 int integerFrom(const ValueReader& value, const ValueForm& form) {
   return value.integer(static_cast<int>(form.min), static_cast<int>(form.max));
 }

@@ -13,7 +13,7 @@
 #include "body/shape.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
-#include "scene/sections.h"
+#include "scene/limits.h"
 
 namespace rotatebook::scene {
 namespace {

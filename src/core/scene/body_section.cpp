@@ -65,7 +65,7 @@ void readBody(const ValueReader& section, Motion& motion) {
   motion.body = {};
 }
 
-std::string bodyLines(const Motion& motion, Printed printed) {
+std::string bodyLines(const Motion& motion, const Printed& printed) {
   if (motion.solid.isBook()) return linesOf(bodyKeys(), motion.motion(), printed);
   std::string lines = linesOf(solidKeys(), motion.solid, printed);
   const BodyPart* shape = motion.solid.isShape ? &motion.solid.parts.front() : nullptr;

@@ -169,7 +169,7 @@ std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& sh
   return cells;
 }
 
-std::string gridText(const Spec& spec, Printed printed) {
+std::string gridText(const Spec& spec, const Printed& printed) {
   return spec.grid ? "\n[grid]\n" + linesOf(gridKeys(), *spec.grid, printed) : "";
 }
 

@@ -249,7 +249,7 @@ void checkMap(const ValueReader& section, const Scene& scene) {
   problems.throwIfAny();
 }
 
-std::string mapText(const Spec& spec, Printed printed) {
+std::string mapText(const Spec& spec, const Printed& printed) {
   return spec.map ? "\n[map]\n" + linesOf(mapKeys(), *spec.map, printed) : "";
 }
 

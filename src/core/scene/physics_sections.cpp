@@ -40,7 +40,7 @@ void checkIntegratorName(const ValueReader& section, physics::Model model) {
 }
 
 /// Returns the lines of all keys but time_per_frame, which panels share.
-std::string simulationLines(const Motion& motion, Printed printed) {
+std::string simulationLines(const Motion& motion, const Printed& printed) {
   std::string lines;
   for (const auto& key : simulationKeys()) {
     if (!isTimePerFrame(key)) lines += lineOf(key, motion.simulation, printed);
@@ -49,7 +49,7 @@ std::string simulationLines(const Motion& motion, Printed printed) {
 }
 
 /// Returns the lines of the start; none for a recording, which has its own.
-std::string initialLines(const Motion& motion, Printed printed) {
+std::string initialLines(const Motion& motion, const Printed& printed) {
   if (motion.simulation.model == physics::Model::Recorded) return "";
   return linesOf(initialKeys(), motion.initial, printed);
 }
@@ -95,7 +95,7 @@ void readNudges(const ValueReader& value, Motion& motion) {
   std::ranges::stable_sort(motion.nudges, {}, &physics::Nudge::at);
 }
 
-std::vector<std::string> nudgeTables(const Motion& motion, Printed printed) {
+std::vector<std::string> nudgeTables(const Motion& motion, const Printed& printed) {
   std::vector<std::string> tables;
   for (const physics::Nudge& nudge : motion.nudges) {
     tables.push_back(linesOf(nudgeKeys(), nudge, printed));
@@ -104,7 +104,7 @@ std::vector<std::string> nudgeTables(const Motion& motion, Printed printed) {
 }
 
 /// Returns the lines of the quantities, in the order in which they are first expected.
-std::string expectLines(const Motion& motion, Printed printed) {
+std::string expectLines(const Motion& motion, const Printed& printed) {
   const auto& expectations = motion.expectations;
   std::string lines;
   for (auto one = expectations.begin(); one != expectations.end(); ++one) {
@@ -140,7 +140,7 @@ std::span<const Section<Motion>> motionSections() {
   return sections;
 }
 
-std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed) {
+std::string timePerFrameLine(const physics::SimulationSettings& settings, const Printed& printed) {
   return lineOf(*std::ranges::find_if(simulationKeys(), isTimePerFrame), settings, printed);
 }
 

@@ -1,15 +1,19 @@
 // Prints a Scene as TOML, every key in a fixed order.
 #include "scene/scene_text.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
+#include "scene/source_locations.h"
 
 namespace rotatebook::scene {
 namespace {
 
-std::string panelsText(const std::vector<Panel>& panels, Printed printed) {
+std::string panelsText(const std::vector<Panel>& panels, const Printed& printed) {
   std::string text;
   for (const Panel& panel : panels) {
     text += "\n[[panel]]\n" + linesOf(panelKeys(), panel, printed) +
@@ -30,13 +34,31 @@ Spec explicitSpec(const Scene& scene) {
   return spec;
 }
 
+bool varies(const Spec& spec, std::string_view key) {
+  const auto isIt = [key](const std::optional<Axis>& axis) { return axis && axis->key == key; };
+  return (spec.grid && (isIt(spec.grid->columns) || isIt(spec.grid->rows))) ||
+         (spec.study && (isIt(spec.study->x) || isIt(spec.study->curves)));
+}
+
+/// Returns the keys that must stay out because the scene states none of them, and their defaults
+/// depend on one that an axis varies.
+std::vector<std::string_view> openKeys(const Spec& spec) {
+  std::vector<std::string_view> open;
+  for (const auto& [varied, section, key] : kDependentKeys) {
+    const std::string path = std::string(section) + "." + std::string(key);
+    if (varies(spec, varied) && !spec.locations.contains(path)) open.push_back(key);
+  }
+  return open;
+}
+
 /// Returns the text of all sections but those of runs, [study] and [map].
-std::string clipText(const Scene& scene, Printed printed) {
+std::string clipText(const Scene& scene, const Printed& printed) {
   const auto sections = motionSections();
   const Spec spec = explicitSpec(scene);
   const bool alone = spec.panels.empty();
   std::string text = linesOf(titleKeys(), spec, printed);
-  if (alone) text += textOf(sections.first(2), spec.motion, printed);
+  const std::vector<std::string_view> open = openKeys(spec);
+  if (alone) text += textOf(sections.first(2), spec.motion, {printed.ofMotion, open});
   if (!spec.clip.speed) {
     if (!alone) text += "\n[simulation]\n";
     text += timePerFrameLine(spec.motion.simulation, printed);
@@ -51,11 +73,11 @@ std::string clipText(const Scene& scene, Printed printed) {
 
 std::string sceneText(const Scene& scene) {
   requireSameLayout();
-  return clipText(scene, Printed::All) + studyText(scene) + mapText(scene, Printed::All);
+  return clipText(scene, {}) + studyText(scene) + mapText(scene, {});
 }
 
 std::string motionText(const Scene& scene) {
-  return clipText(scene, Printed::OfMotion);
+  return clipText(scene, {.ofMotion = true});
 }
 
 std::string studyRunsText(const Scene& scene) {
@@ -64,7 +86,7 @@ std::string studyRunsText(const Scene& scene) {
 
 std::string mapRunsText(Scene scene) {
   for (Axis* axis : {&scene.map->x, &scene.map->y}) axis->label.clear();
-  return motionText(scene) + mapText(scene, Printed::OfMotion);
+  return motionText(scene) + mapText(scene, {.ofMotion = true});
 }
 
 }  // namespace rotatebook::scene

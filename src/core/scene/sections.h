@@ -31,7 +31,7 @@ std::span<const Section<Motion>> motionSections();
 std::span<const Section<Spec>> pictureSections();
 
 /// Returns the line of simulation.time_per_frame.
-std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed);
+std::string timePerFrameLine(const physics::SimulationSettings& settings, const Printed& printed);
 
 /// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
 /// is taken from the sections of `file`, the whole scene file, or else from the defaults. Throws
@@ -49,7 +49,7 @@ GridSettings readGrid(const ValueReader& section, const ValueReader& file,
 /// read from. Throws InputError.
 std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& shared);
 /// Returns [grid] as TOML; empty for a scene without one.
-std::string gridText(const Spec& spec, Printed printed);
+std::string gridText(const Spec& spec, const Printed& printed);
 
 /// Reads `section`, [study], of a scene that is read but for it. A section without a measure is of
 /// the orders of all the model's integrators. Throws InputError.
@@ -65,7 +65,7 @@ MapSettings readMap(const ValueReader& section);
 /// Throws InputError if the scene's motions don't take what its map, `section`, varies or measures.
 void checkMap(const ValueReader& section, const Scene& scene);
 /// Returns [map] as TOML; empty for a scene without a map.
-std::string mapText(const Spec& spec, Printed printed);
+std::string mapText(const Spec& spec, const Printed& printed);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);

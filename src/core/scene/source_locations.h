@@ -1,4 +1,5 @@
-// Locations in a scene of what can prove wrong only when files and fonts are opened.
+// Locations in a scene of what can prove wrong only when files and fonts are opened, and of keys
+// whose default depends on another.
 #pragma once
 
 #include <concepts>
@@ -13,9 +14,29 @@ namespace rotatebook::scene {
 
 /// The keys that Spec::locations may have, sections before a dot, besides those of labelKey()
 /// and recordingKey().
-inline constexpr std::string_view kLocatedKeys[] = {
-    "title",      "caption",    "body",      "panel",        "grid",
-    "book.front", "book.spine", "book.back", "overlay.font", "simulation.file"};
+inline constexpr std::string_view kLocatedKeys[] = {"title",
+                                                    "caption",
+                                                    "body",
+                                                    "panel",
+                                                    "grid",
+                                                    "book.front",
+                                                    "book.spine",
+                                                    "book.back",
+                                                    "overlay.font",
+                                                    "simulation.file",
+                                                    "simulation.integrator",
+                                                    "body.size",
+                                                    "body.mass",
+                                                    "body.dimensions"};
+
+/// A key whose default depends on the value of another.
+struct DependentKey {
+  std::string_view of, section, key;
+};
+inline constexpr DependentKey kDependentKeys[] = {{"simulation.model", "simulation", "integrator"},
+                                                  {"body.shape", "body", "size"},
+                                                  {"body.shape", "body", "mass"},
+                                                  {"body.shape", "body", "dimensions"}};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {

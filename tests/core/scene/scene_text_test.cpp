@@ -177,5 +177,28 @@ TEST(SceneText, ReadsBackWhateverTheModelAndTheSpin) {
   }
 }
 
+// A default that depends on what an axis varies isn't stated in its place.
+TEST(SceneText, ReadsBackToTheSameCellsAndRuns) {
+  const std::string models =
+      "{ key = 'simulation.model', values = ['matrix', 'particles', 'exact'] }";
+  const std::string shapes = "{ key = 'body.shape', values = ['book', 'racket'] }";
+  for (const std::string& lines : std::vector<std::string>{
+           "[grid]\ncolumns = " + models, "[grid]\nrows = " + shapes,
+           "[body]\nmass = 3\n[grid]\nrows = " + shapes,
+           "[simulation]\nintegrator = 'rk4'\n[grid]\nrows = { key = 'simulation.model', values = "
+           "['matrix', 'particles'] }",
+           "[study]\nmeasure = ['tilt_deg']\nx = " + models,
+           "[study]\nmeasure = ['tilt_deg']\nx = { key = 'simulation.substeps', values = [64, 128] "
+           "}\n"
+           "curves = " +
+               shapes}) {
+    const Scene scene = sceneFrom(lines);
+    const Scene back = parseScene(sceneText(scene), "a.toml");
+    EXPECT_EQ(back.motions, scene.motions) << lines;
+    EXPECT_EQ(back.runs, scene.runs) << lines;
+    EXPECT_EQ(sceneText(back), sceneText(scene));
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::scene

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "scene/key_rows.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
 

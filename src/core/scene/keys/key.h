@@ -2,6 +2,7 @@
 // room only.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -109,27 +110,30 @@ std::string allowedOf(const KeyText& key, const ValueForm& form);
 std::string commentOf(const KeyText& key, const ValueForm& form);
 
 /// The keys that are printed.
-enum class Printed {
-  All,
-  OfMotion,  ///< Keys that affect the motion, without comments.
+struct Printed {
+  bool ofMotion = false;  ///< Only keys that affect the motion, without comments.
+  std::span<const std::string_view> leftOut{};  ///< The names of keys that aren't.
+
+  bool has(std::string_view key, Affects affects) const {
+    return (!ofMotion || affects == Affects::Motion) && std::ranges::count(leftOut, key) == 0;
+  }
 };
 
 /// Returns "KEY = VALUE  # COMMENT"; empty if there is no value to print.
 template <typename S>
 std::string lineOf(const Key<S>& key, const std::type_identity_t<S>& from,
-                   Printed printed = Printed::All) {
-  const bool isAll = printed == Printed::All;
-  if (!isAll && key.documentation.affects != Affects::Motion) return "";
+                   const Printed& printed = {}) {
+  if (!printed.has(key.name, key.documentation.affects)) return "";
   const std::string text = key.text(from);
   if (text.empty()) return "";
-  const std::string comment = isAll ? commentOf(key.documentation, key.form) : "";
+  const std::string comment = printed.ofMotion ? "" : commentOf(key.documentation, key.form);
   return std::string(key.name) + " = " + text + (comment.empty() ? "" : "  # " + comment) + "\n";
 }
 
 /// Returns the lines of the keys.
 template <typename S>
 std::string linesOf(Keys<S> keys, const std::type_identity_t<S>& from,
-                    Printed printed = Printed::All) {
+                    const Printed& printed = {}) {
   std::string lines;
   for (const Key<S>& key : keys) lines += lineOf(key, from, printed);
   return lines;

@@ -19,10 +19,10 @@ struct Section {
   std::string_view name;
   std::function<void(const ValueReader&, Owner&)> read;  ///< Throws InputError.
   /// Prints as TOML, without the header.
-  std::function<std::string(const Owner&, Printed)> lines;
+  std::function<std::string(const Owner&, const Printed&)> lines;
   std::vector<KeyRow> rows;  ///< For the documentation.
   /// Prints each table of an array of tables, likewise, in place of `lines`.
-  std::function<std::vector<std::string>(const Owner&, Printed)> tables{};
+  std::function<std::vector<std::string>(const Owner&, const Printed&)> tables{};
 };
 
 /// Returns the section whose keys are read into what `part` finds in an Owner. `finish` checks them
@@ -36,7 +36,7 @@ Section<Owner> section(std::string_view name, Part part, Keys<S> keys,
             readKeys(value, keys, into);
             if (finish != nullptr) finish(value, into);
           },
-          [=](const Owner& owner, Printed printed) {
+          [=](const Owner& owner, const Printed& printed) {
             const S& from = std::invoke(part, owner);
             return linesOf(keys, from, printed);
           },
@@ -56,7 +56,7 @@ void addFields(std::vector<Field>& fields, std::span<const Section<Owner>> secti
 /// are left out. `parent` is empty, or the prefix of their names: "panel.".
 template <typename Owner>
 std::string textOf(std::span<const Section<Owner>> sections,
-                   const std::type_identity_t<Owner>& owner, Printed printed,
+                   const std::type_identity_t<Owner>& owner, const Printed& printed,
                    const std::string& parent = "") {
   std::string text;
   for (const Section<Owner>& one : sections) {

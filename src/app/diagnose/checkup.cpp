@@ -1,11 +1,13 @@
 #include "diagnose/checkup.h"
 
+#include <cstddef>
 #include <system_error>
 
 #include <fmt/core.h>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "overlay/text.h"
 #include "system/atomic_file.h"
 #include "system/machine.h"
@@ -64,13 +66,19 @@ std::string checkFont() {
 }
 
 void addEncoderProblems(Checkup& checkup) {
-  for (const video::EncoderCheck& check : checkup.encoders) {
+  std::string names;  // Of the formats that share a failure, as where FFmpeg can't be loaded.
+  for (std::size_t i = 0; i < checkup.encoders.size(); ++i) {
+    const video::EncoderCheck& check = checkup.encoders[i];
     if (check.failure.empty()) continue;
+    names = joined({names, std::string(nameOf(check.format))});
+    if (i + 1 < checkup.encoders.size() && checkup.encoders[i + 1].failure == check.failure) {
+      continue;
+    }
     const std::string instead =
         check.found.empty() ? "" : fmt::format("; {} encodes in its place", check.found);
     checkup.problems.push_back(
-        {fmt::format("{}: {}{}", nameOf(check.format), check.failure, instead),
-         rowOf(check.format).encoder.remedy});
+        {fmt::format("{}: {}{}", names, check.failure, instead), check.remedy});
+    names.clear();
   }
 }
 

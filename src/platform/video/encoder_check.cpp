@@ -7,8 +7,13 @@
 namespace rotatebook::video {
 
 EncoderCheck checkEncoder(VideoFormat format) {
+  EncoderCheck check{.format = format, .failure = ffmpegFailure()};
+  if (!check.failure.empty()) {
+    check.remedy = kInstallFfmpeg;
+    return check;
+  }
+  check.remedy = rowOf(format).encoder.remedy;
   silenceFfmpeg();
-  EncoderCheck check{.format = format};
   VideoSettings settings;
   settings.width = settings.height = 64;
   const char* wanted = rowOf(format).encoder.name;

@@ -13,6 +13,7 @@ struct EncoderCheck {
   std::string found{};  ///< Encoder that a video is made with; empty if there is none.
   /// Missing encoder or its error, else empty; for MP4 set also where `found` isn't the best.
   std::string failure{};
+  std::string remedy{};  ///< Of the failure.
 };
 
 /// Starts the encoder of `format` and stops it again; its errors are returned, not thrown.

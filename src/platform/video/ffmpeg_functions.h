@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <string>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -19,9 +20,17 @@ extern "C" {
 
 namespace rotatebook::video {
 
-/// Returns the address of a function of FFmpeg's. Throws MachineError if its library can't be
-/// loaded.
+/// The remedy where FFmpeg can't be loaded.
+inline constexpr const char* kInstallFfmpeg =
+    "install the version that the program was built with (Debian, Ubuntu: libavformat" AV_STRINGIFY(
+        LIBAVFORMAT_VERSION_MAJOR) ", libswscale" AV_STRINGIFY(LIBSWSCALE_VERSION_MAJOR) ", "
+    "libavfilter" AV_STRINGIFY(LIBAVFILTER_VERSION_MAJOR) ")";
+
+/// Returns the address of a function of FFmpeg's. Throws MachineError, with the remedy, if its
+/// library can't be loaded.
 void* ffmpegAddress(const char* name);
+/// Loads FFmpeg. Returns "can't load FFmpeg: " and the cause if that fails, else empty.
+std::string ffmpegFailure();
 
 template <typename Function>
 class FfmpegFunction;

@@ -3,6 +3,10 @@
 #include <string>
 #include <vector>
 
+extern "C" {
+#include <libavformat/version.h>
+}
+
 #include "cli/program_test.h"
 
 namespace rotatebook::cli::testing {
@@ -56,6 +60,28 @@ TEST_F(DoctorCommand, UnsetsTheVariableThatKeepsMesaFromDrawing) {
     EXPECT_THAT(result.output,
                 HasSubstr(std::string("\"remedy\": \"unset ") + name + " (it is " + value + ")"));
   }
+}
+
+TEST_F(DoctorCommand, ReportsAllElseWithoutFfmpeg) {
+  const std::string format = AV_STRINGIFY(LIBAVFORMAT_VERSION_MAJOR);
+  write("libavformat.so." + format, "no library");
+  ChildSettings broken;
+  broken.environment = {{"LD_LIBRARY_PATH", folder().string()}};
+  const ChildResult result = run({"doctor"}, broken);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("; draws by default\n"), HasSubstr("\n  mp4                  none\n"),
+                    HasSubstr("\n  apng                 none\n"),
+                    HasSubstr("\n  1. mp4, webm, gif, apng: can't load FFmpeg:"),
+                    HasSubstr("libavformat.so." + format), HasSubstr("\n     remedy: install "),
+                    HasSubstr("libavformat" + format + ","), Not(HasSubstr("\n  2. ")),
+                    EndsWith("\nNOT READY to render: MP4 can't be encoded.\n")));
+  const ChildResult json = run({"doctor", "--json"}, broken);
+  EXPECT_EQ(json.status, 3);
+  EXPECT_THAT(json.output,
+              AllOf(StartsWith("{\"ready\": false, "), HasSubstr("\"reference_picture\": "),
+                    HasSubstr("{\"format\": \"webm\", \"encoder\": null, "
+                              "\"error\": \"can't load FFmpeg: ")));
 }
 
 TEST_F(DoctorCommand, TriesToWriteWhereNothingCanBe) {

@@ -117,8 +117,7 @@ SceneBodies bodiesOf(const scene::Scene& scene) {
     const auto same = std::ranges::find(all.bodies, solid, &SceneBody::solid);
     all.bodyOf.push_back(static_cast<std::size_t>(same - all.bodies.begin()));
     if (same != all.bodies.end()) continue;
-    const std::string key =
-        scene.hasPanels() ? fmt::format("panel.{}.body.mesh", i) : "body.mesh";
+    const std::string key = scene.hasPanels() ? fmt::format("panel.{}.body.mesh", i) : "body.mesh";
     all.bodies.push_back({solid, motions[i].body.size, solid.mesh.name.empty() ? "" : key});
   }
   return all;

@@ -68,8 +68,9 @@ Source sourceFor(const fs::path& folder, store::FrameRange range,
     if (frameRate) {
       throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");
     }
-    const std::string record = store::readSceneText(sceneCopy);
-    const scene::Scene scene = scene::parseScene(record, sceneCopy);
+    const std::string text = store::readSceneText(sceneCopy);
+    const scene::Scene scene = scene::parseScene(text, sceneCopy);
+    const std::string record = store::recordOfVideo(text, video::ffmpegVersion());
     const Assembled made{range, wholeFrameCount(scene)};
     return {
         store::videoSettings(scene, made.isPart() ? store::recordOfPart(record, range) : record),

@@ -82,8 +82,10 @@ class Render {
     system::createFolders(options_.folder);
     const std::string& renderer = drawer_.description();
     const picture::TextureChecksums& textures = drawer_.textureChecksums();
-    const std::string record =
-        store::sceneRecord(scene_, store::provenanceOf(scene_, motionSum_, textures, renderer));
+    // Frames are drawn without FFmpeg, also where it can't be loaded
+    const std::string ffmpeg = formats_.empty() ? "" : video::ffmpegVersion();
+    const std::string record = store::sceneRecord(
+        scene_, store::provenanceOf(scene_, motionSum_, textures, renderer, ffmpeg));
     const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
@@ -95,7 +97,8 @@ class Render {
                                              .png = png_,
                                              .ownChecksums = options_.part.has_value()});
     result_.remainder = folder.remainder();
-    result_.wasDone = !options_.isPart() && options_.earlier.resume && folder.isDone(pngRange());
+    result_.wasDone = !options_.isPart() && options_.earlier.resume && folder.isDone(pngRange()) &&
+                      videosHold(record);
     if (result_.wasDone) {
       // A killed render may have left some after its last file
       system::removeStaleTemporaries(options_.folder);
@@ -121,6 +124,13 @@ class Render {
     for (const video::VideoFormat format : formats_)
       videos.push_back(result_.files.partialVideo(format));
     return videos;
+  }
+
+  /// Returns whether the finished videos have this record: they don't if FFmpeg was another.
+  bool videosHold(const std::string& record) const {
+    return std::ranges::all_of(formats_, [&](video::VideoFormat format) {
+      return !rowOf(format).holdsRecord || store::recordIn(result_.files.video(format)) == record;
+    });
   }
 
   void finishFolder(store::ClipFolder& folder) {

@@ -189,11 +189,11 @@ std::string clipText(scene::Scene scene) {
 
 Provenance provenanceOf(const scene::Scene& scene, const std::string& motionSum,
                         const std::map<std::string, std::string>& textures,
-                        const std::string& renderer) {
+                        const std::string& renderer, const std::string& ffmpeg) {
   return {.scene = oneLine(scene.name),
           .program = kVersion,
           .renderer = oneLine(renderer),
-          .ffmpeg = video::ffmpegVersion(),
+          .ffmpeg = ffmpeg,
           .motion = motionSum,
           .textures = texturesText(textures)};
 }
@@ -212,7 +212,8 @@ std::vector<std::string> differencesOfTools(const Provenance& there, const Prove
 
 std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance) {
   return line(kMadeBy, provenance.program + std::string(kFromScene) + provenance.scene) +
-         line(kRenderer, provenance.renderer) + line(kFfmpeg, provenance.ffmpeg) +
+         line(kRenderer, provenance.renderer) +
+         (provenance.ffmpeg.empty() ? "" : line(kFfmpeg, provenance.ffmpeg)) +
          line(kMotion, provenance.motion) +
          (provenance.textures.empty() ? "" : line(kTextures, provenance.textures)) + '\n' +
          sceneText(scene);
@@ -222,6 +223,15 @@ std::string recordOfPart(const std::string& record, FrameRange part) {
   const std::size_t end = record.find(kHeaderEnd);
   if (!record.starts_with(kMadeBy) || end == record.npos) return record;
   return record.substr(0, end + 1) + line(kFrames, rangeText(part)) + record.substr(end + 1);
+}
+
+std::string recordOfVideo(const std::string& record, const std::string& ffmpeg) {
+  const std::size_t end = record.find(kHeaderEnd);
+  if (!record.starts_with(kMadeBy) || end == record.npos) return record;
+  const std::string_view header = std::string_view(record).substr(0, end);
+  if (!valueIn(header, kFfmpeg).empty()) return record;
+  const std::size_t place = std::min(header.find('\n' + std::string(kMotion)), end) + 1;
+  return record.substr(0, place) + line(kFfmpeg, ffmpeg) + record.substr(place);
 }
 
 ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::path& sceneFolder) {

@@ -18,17 +18,17 @@ struct Provenance {
   std::string scene{};     ///< The scene's name.
   std::string program{};   ///< "0.1.0"
   std::string renderer{};  ///< render::Renderer::description()
-  std::string ffmpeg{};    ///< "5.1.6"
+  std::string ffmpeg{};    ///< "5.1.6"; empty of frames alone.
   std::string motion{};    ///< motionChecksum()
   std::string textures{};  ///< "book.front CHECKSUM, ..."; built-in ones are left out.
 };
 
 /// Returns the provenance of a clip of `scene` that this program makes on this machine: `motionSum`
 /// is timeline::motionChecksum(), `textures` are picture::LoadedTextures::checksums, `renderer` is
-/// render::Renderer::description().
+/// render::Renderer::description(), `ffmpeg` is video::ffmpegVersion() if videos are made.
 Provenance provenanceOf(const scene::Scene& scene, const std::string& motionSum,
                         const std::map<std::string, std::string>& textures,
-                        const std::string& renderer);
+                        const std::string& renderer, const std::string& ffmpeg);
 
 /// Returns the differences in tools and textures: "the renderer was A, here it is B". Motions
 /// aren't compared, nor textures that weren't recorded.
@@ -40,6 +40,9 @@ std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance)
 /// Returns `record` with a line that names the frames of `part`. Text that isn't a record is
 /// returned unchanged.
 std::string recordOfPart(const std::string& record, FrameRange part);
+/// Returns the `record` of frames with the version of the FFmpeg that makes a video of them, unless
+/// it has one. Text that isn't a record is returned unchanged.
+std::string recordOfVideo(const std::string& record, const std::string& ffmpeg);
 
 /// Returns the record in a video; empty if there is none, or it is no clip.
 std::string recordIn(const std::filesystem::path& video);

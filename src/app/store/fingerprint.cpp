@@ -17,7 +17,6 @@
 #include "system/build_id.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
-#include "video/video_writer.h"
 
 namespace rotatebook::store {
 namespace {
@@ -98,7 +97,6 @@ Entries fingerprint(const scene::Scene& scene, const Entries& textures, const Dr
   made["build"] = system::buildId();
   made["renderer"] = drawing.renderer;
   made["test frame"] = drawing.testFrame;
-  made["ffmpeg"] = video::ffmpegVersion();
   made["scene"] = sceneChecksum(scene);
   return made;
 }

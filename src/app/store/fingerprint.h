@@ -16,8 +16,8 @@ struct Drawing {
   std::string testFrame;  ///< picture::testFrame(), as renderers of one description may differ.
 };
 
-/// Returns program, build, renderer, test frame, FFmpeg, the scene's checksum and the drawn
-/// `textures`, which are picture::LoadedTextures::checksums.
+/// Returns program, build, renderer, test frame, the scene's checksum and the drawn `textures`,
+/// which are picture::LoadedTextures::checksums. FFmpeg draws nothing.
 Manifest::Entries fingerprint(const scene::Scene& scene, const Manifest::Entries& textures,
                               const Drawing& drawing);
 

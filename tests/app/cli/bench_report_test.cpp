@@ -1,8 +1,8 @@
-#include "cli/machine_commands.h"
-
 #include <sstream>
 
 #include <gtest/gtest.h>
+
+#include "cli/machine_commands.h"
 
 namespace rotatebook::cli {
 namespace {

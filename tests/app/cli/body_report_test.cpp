@@ -1,9 +1,9 @@
-#include "cli/info_command.h"
-
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "cli/info_command.h"
 
 namespace rotatebook::cli {
 namespace {

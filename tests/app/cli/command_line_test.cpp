@@ -292,6 +292,14 @@ TEST_F(CommandLine, LoadsFfmpegOnlyForVideos) {
   const ChildSettings broken{.folder = folder(),
                              .environment = {{"LD_LIBRARY_PATH", folder().string()}}};
   EXPECT_EQ(run({"check", "tiny.toml"}, broken).status, 0);
+  for (const char* part : {"1/2", "2/2"}) {
+    const ChildResult drawn = run({"render", "tiny.toml", "-o", "parts", "--part", part}, broken);
+    EXPECT_EQ(drawn.status, 0) << drawn.error;
+  }
+  const std::vector<std::string> frames{"render", "tiny.toml", "-o",
+                                        "parts",  "--no-mp4",  "--resume"};
+  EXPECT_EQ(run(frames, broken).status, 0);
+  EXPECT_TRUE(has("parts/tiny/frame_00011.png"));
   const ChildResult result = run({"render", "tiny.toml", "-o", "out"}, broken);
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.error, AllOf(HasSubstr("rotatebook: can't load FFmpeg: "), HasSubstr(library),

@@ -1,11 +1,10 @@
-#include "cli/study_command.h"
-
 #include <limits>
 #include <sstream>
 
 #include <gtest/gtest.h>
 
 #include "cli/batch.h"
+#include "cli/study_command.h"
 
 namespace rotatebook::cli {
 namespace {

@@ -25,6 +25,7 @@ using testing::bytesOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kFrames;
+using ::testing::Not;
 using testing::pngAndMp4;
 
 // Frames of one colour, from elsewhere.
@@ -58,6 +59,15 @@ TEST_F(Assemble, MakesTheSameFileAsTheRender) {
   testing::render(testing::smallScene(), pngAndMp4(folder_));
   EXPECT_EQ(assembled(), kFrames);
   EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
+}
+
+TEST_F(Assemble, MakesItOfFramesAlone) {
+  const fs::path whole = folder_ / "whole";
+  testing::render(testing::smallScene(), pngAndMp4(whole));
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
+  EXPECT_THAT(bytesOf(frames_ / "scene.toml"), Not(HasSubstr("FFmpeg")));
+  EXPECT_EQ(assembled(), kFrames);
+  EXPECT_EQ(bytesOf(mp4_), bytesOf(whole / "small.mp4"));
 }
 
 TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {

@@ -9,6 +9,8 @@
 #include "base/same_bytes.h"
 #include "pipeline/rendered_again.h"
 #include "store/manifest.h"
+#include "system/file_checksum.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -23,6 +25,12 @@ using testing::messageOf;
 using testing::otherScene;
 using testing::smallScene;
 using testing::stoppedAfter;
+
+std::string replaced(std::string text, const std::string& old, const std::string& now) {
+  const std::size_t place = text.find(old);
+  EXPECT_NE(place, text.npos) << old;
+  return text.replace(place, old.size(), now);
+}
 
 class OtherSettings : public testing::RenderedAgain {
  protected:
@@ -50,6 +58,22 @@ TEST_F(OtherSettings, WithoutPngsKeepTheFramesWithTheirRecords) {
   EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
   EXPECT_EQ(bytesOf(folder_ / "small" / store::kSceneCopyName), record);
   EXPECT_FALSE(fs::exists(folder_ / "small.partial"));
+}
+
+TEST_F(OtherSettings, OfFfmpegAloneKeepTheFrames) {
+  render({});
+  const fs::path mp4 = folder_ / "small.mp4", manifest = folder_ / "small/frames.manifest";
+  const std::string before = system::checksumOfFile(mp4), version = video::ffmpegVersion();
+  // Another version of as many bytes
+  const std::string other = replaced(bytesOf(mp4), "# FFmpeg: " + version,
+                                     "# FFmpeg: " + std::string(version.size(), '0'));
+  std::ofstream(mp4, std::ios::binary) << other;
+  const std::string changed = replaced(bytesOf(manifest), before, system::checksumOfFile(mp4));
+  std::ofstream(manifest) << changed;
+  const RenderResult result = render(kResume);
+  EXPECT_FALSE(result.wasDone);
+  EXPECT_EQ(result.framesKept, kFrames);
+  expectAsUninterrupted();
 }
 
 TEST_F(OtherSettings, AreEachDoneByTheirRecords) {

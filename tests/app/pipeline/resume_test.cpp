@@ -97,6 +97,12 @@ TEST_F(Resume, MakesAnotherFormatOfFramesThatAreThere) {
   expectAsUninterrupted({.outputs = gif.outputs});
 }
 
+TEST_F(Resume, EncodesVideosOfFramesThatWereDrawnWithoutFfmpeg) {
+  testing::render(smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
+  EXPECT_EQ(render(kResume).framesKept, kFrames);
+  expectAsUninterrupted();
+}
+
 TEST_F(Resume, OfFramesAloneDrawsWhatIsMissing) {
   const RenderOptions options{.folder = folder_, .outputs = {pngOutput()}, .earlier = kResume};
   stoppedAfter(4, smallScene(), options);

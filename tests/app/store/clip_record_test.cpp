@@ -67,10 +67,21 @@ TEST(SceneRecord, IsReadBack) {
 TEST(SceneRecord, NamesTheTexturesThatAreNotBuiltIn) {
   const scene::Scene scene = smallScene();
   const Provenance provenance =
-      provenanceOf(scene, "", {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
+      provenanceOf(scene, "", {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r", "5.1");
   const std::string record = sceneRecord(scene, provenance);
   EXPECT_THAT(record, HasSubstr("\n# Textures: book.front abc\n\n"));
   EXPECT_EQ(parseRecord(record, "x", "").provenance.textures, "book.front abc");
+}
+
+TEST(SceneRecord, OfFramesAloneNamesNoFfmpegUntilAVideoIsMade) {
+  Provenance frames = kProvenance;
+  frames.ffmpeg.clear();
+  const std::string record = sceneRecord(smallScene(), frames);
+  EXPECT_THAT(record, Not(HasSubstr("FFmpeg")));
+  EXPECT_EQ(parseRecord(record, "x", "").provenance.ffmpeg, "");
+  EXPECT_EQ(recordOfVideo(record, "5.1"), smallRecord());
+  EXPECT_EQ(recordOfVideo(smallRecord(), "7"), smallRecord());
+  EXPECT_EQ(recordOfVideo("title = 'of somebody else'\n", "7"), "title = 'of somebody else'\n");
 }
 
 TEST(SceneRecord, OfAPartNamesItsFrames) {
@@ -101,7 +112,7 @@ TEST(SceneRecord, OfThisVersionHoldsNoOtherWords) {
 TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   scene::Scene scene = smallScene();
   scene.name = "a\nb = 1";
-  const Provenance provenance = provenanceOf(scene, "", {}, "r\n\nmass = 2");
+  const Provenance provenance = provenanceOf(scene, "", {}, "r\n\nmass = 2", "");
   const ClipRecord record = parseRecord(sceneRecord(scene, provenance), "x", "");
   EXPECT_EQ(record.provenance.scene, "a\\nb = 1");
   EXPECT_EQ(record.provenance.renderer, "r\\n\\nmass = 2");

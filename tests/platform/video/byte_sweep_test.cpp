@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "video/decoded_video.h"
-#include "video/test_clip.h"
 #include "video/layout.h"
+#include "video/test_clip.h"
 #include "video/written_form.h"
 
 namespace rotatebook::video {

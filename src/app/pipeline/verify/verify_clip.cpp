@@ -14,6 +14,7 @@
 #include "timeline/simulate_scene.h"
 #include "video/clip_form.h"
 #include "video/clip_reader.h"
+#include "video/video_writer.h"
 #include "video/whole_file.h"
 
 namespace rotatebook::pipeline {
@@ -121,8 +122,9 @@ class Verifier {
     const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
     picture::FrameDrawer drawer(record_.scene, motion_, options_.device, clip_.textures);
     found.toolsDiffer = store::differencesOfTools(
-        record_.provenance, store::provenanceOf(record_.scene, motionSum_,
-                                                drawer.textureChecksums(), drawer.description()));
+        record_.provenance,
+        store::provenanceOf(record_.scene, motionSum_, drawer.textureChecksums(),
+                            drawer.description(), video::ffmpegVersion()));
     PictureComparison comparison(record_.scene, drawer, found.wholeCount);
     DisplayCheck display(scene::isTransparent(record_.scene));
     Quantisers coded;

@@ -73,7 +73,7 @@ void write(const Forgery& forgery, const fs::path& path) {
   picture::FrameDrawer drawer(forgery.shown, motion);
   store::Provenance provenance = store::provenanceOf(
       forgery.said, timeline::motionChecksum(timeline::simulateScene(forgery.said)), {},
-      drawer.description());
+      drawer.description(), video::ffmpegVersion());
   if (forgery.made) forgery.made(provenance);
   video::VideoSettings settings =
       store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, provenance));

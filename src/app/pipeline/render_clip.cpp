@@ -82,10 +82,11 @@ class Render {
     system::createFolders(options_.folder);
     const std::string& renderer = drawer_.description();
     const picture::TextureChecksums& textures = drawer_.textureChecksums();
+    const std::string record =
+        store::sceneRecord(scene_, store::provenanceOf(scene_, motionSum_, textures, renderer, ""));
     // Frames are drawn without FFmpeg, also where it can't be loaded
-    const std::string ffmpeg = formats_.empty() ? "" : video::ffmpegVersion();
-    const std::string record = store::sceneRecord(
-        scene_, store::provenanceOf(scene_, motionSum_, textures, renderer, ffmpeg));
+    const std::string videoRecord =
+        formats_.empty() ? record : store::recordOfVideo(record, video::ffmpegVersion());
     const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
@@ -98,7 +99,7 @@ class Render {
                                              .ownChecksums = options_.part.has_value()});
     result_.remainder = folder.remainder();
     result_.wasDone = !options_.isPart() && options_.earlier.resume && folder.isDone(pngRange()) &&
-                      videosHold(record);
+                      videosHold(videoRecord);
     if (result_.wasDone) {
       // A killed render may have left some after its last file
       system::removeStaleTemporaries(options_.folder);
@@ -106,7 +107,7 @@ class Render {
     }
     folder.requireReplaceableOutputs(partialVideos());
     try {
-      renderInto(folder, record, listener);
+      renderInto(folder, videoRecord, listener);
       if (!result_.interrupted) finishFolder(folder);
     } catch (const MachineError& error) {
       throw MachineError(error.what() + keptText(folder), error.kind());

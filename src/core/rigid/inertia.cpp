@@ -167,7 +167,7 @@ PrincipalAxes withEqualMoments(PrincipalAxes axes) {
   return axes;
 }
 
-void clearRounding(Matrix3d& tensor) {
+void clearRounding(Eigen::Matrix3d& tensor) {
   constexpr double kRounding = 1e-15;  // of the largest moment; measured 2e-16
   const double least = kRounding * tensor.diagonal().maxCoeff();
   for (int i = 0; i < 3; ++i) {

@@ -36,7 +36,9 @@ struct DependentKey {
 inline constexpr DependentKey kDependentKeys[] = {{"simulation.model", "simulation", "integrator"},
                                                   {"body.shape", "body", "size"},
                                                   {"body.shape", "body", "mass"},
-                                                  {"body.shape", "body", "dimensions"}};
+                                                  {"body.shape", "body", "dimensions"},
+                                                  {"body.part", "body", "size"},
+                                                  {"body.part", "body", "mass"}};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {

@@ -44,6 +44,10 @@ bool isAngle(const StatedValue& value) {
 std::string pathOf(const VariedKey& varied, const ValueReader& file) {
   constexpr std::string_view kTilt = "initial.tilt";
   const std::string key = varied.key.text(kLongestPath);
+  if (key == "body.mesh")
+    varied.key.fail(key + " can't vary; [[panel]] shows several meshes side by side");
+  if (key.starts_with("nudge.") && !file.find("nudge"))
+    varied.key.fail(key + " is a part of a [[nudge]], and the scene states none; state it");
   const bool isWhole = key == kTilt && !std::ranges::all_of(varied.values, isAngle);
   if (isWhole || (key != kTilt && !key.starts_with(std::string(kTilt) + "."))) return key;
   if (!file.find("initial", "tilt")) {

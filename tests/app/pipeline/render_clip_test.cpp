@@ -13,11 +13,13 @@
 #include "image/comparison.h"
 #include "image/png_file.h"
 #include "pipeline/small_clip.h"
+#include "store/clip_record.h"
 #include "store/manifest.h"
 #include "system/file_checksum.h"
 #include "timeline/simulate_scene.h"
 #include "timeline/trajectory_csv.h"
 #include "video/decoded_video.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -139,7 +141,7 @@ TEST(RenderClip, RecordsInTheVideoWhatItWasMadeFrom) {
   const DecodedVideo video = decodeVideo(folder / "small.mp4");
   EXPECT_EQ(video.metadata.at("title"), "Small · clip");
   const std::string record = bytesOf(folder / "small" / "scene.toml");
-  EXPECT_EQ(video.metadata.at("comment"), record);
+  EXPECT_EQ(video.metadata.at("comment"), store::recordOfVideo(record, video::ffmpegVersion()));
   EXPECT_THAT(record,
               HasSubstr("# Renderer: " + picture::makeRenderer(smallScene()).description()));
   EXPECT_EQ(scene::sceneText(scene::parseScene(record, "small.toml")),

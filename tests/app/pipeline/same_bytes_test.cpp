@@ -10,6 +10,7 @@
 #include "image/png_file.h"
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
+#include "store/clip_record.h"
 #include "store/encoding.h"
 #include "timeline/trajectory_csv.h"
 #include "video/video_writer.h"
@@ -66,7 +67,9 @@ void rendersTheSame(const scene::Scene& scene) {
             19U);  // 12 frames and 3 files that tell of them, clip, poster, table, result
   EXPECT_TRUE(sameFiles(rendered(2), one));
   EXPECT_TRUE(sameFiles(rendered(7), one));
-  renderSerially(scene, one.at("small/scene.toml"), folder / "serial");
+  const std::string record =
+      store::recordOfVideo(one.at("small/scene.toml"), video::ffmpegVersion());
+  renderSerially(scene, record, folder / "serial");
   for (const auto& [name, bytes] : filesIn(folder / "serial")) {
     EXPECT_TRUE(sameBytes(bytes, one.at(name))) << name;
   }

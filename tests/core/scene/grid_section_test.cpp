@@ -204,5 +204,13 @@ TEST(GridSection, RefusesExpectationsOfNoCell) {
               HasSubstr("needs at least one of min, max, rises_to and falls_to"));
 }
 
+TEST(GridSection, RefusesKeysThatCannotVary) {
+  EXPECT_EQ(errorOf("[grid]\ncolumns = { key = 'body.mesh', values = ['a.ply', 'b.ply'] }"),
+            "a.toml:2:19: body.mesh can't vary; [[panel]] shows several meshes side by side");
+  EXPECT_EQ(
+      errorOf("[grid]\ncolumns = { key = 'nudge.0.at', values = [1, 2] }"),
+      "a.toml:2:19: nudge.0.at is a part of a [[nudge]], and the scene states none; state it");
+}
+
 }  // namespace
 }  // namespace rotatebook::scene

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "scene/names.h"
 

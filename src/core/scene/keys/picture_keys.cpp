@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/clip_limits.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"

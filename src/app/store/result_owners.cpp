@@ -41,9 +41,9 @@ bool isFile(const fs::path& path) {
 
 /// Returns the header row of a table; empty if there is none.
 std::string headerOf(const fs::path& csv) {
-  constexpr std::size_t kLongestHeader = 10'000;
+  constexpr std::size_t kMaxHeader = 10'000;
   if (!isFile(csv)) return "";
-  std::string start(kLongestHeader, '\0');
+  std::string start(kMaxHeader, '\0');
   std::ifstream file(csv, std::ios::binary);
   file.read(start.data(), std::ssize(start));
   start.resize(static_cast<std::size_t>(file.gcount()));

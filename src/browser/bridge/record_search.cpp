@@ -18,7 +18,7 @@ constexpr std::array kMp4Levels{
 constexpr std::array kWebmLevels{RecordLevel{kWebmSegment}, RecordLevel{"1254c367"},
                                  RecordLevel{"7373"}, RecordLevel{"67c8"}, RecordLevel{"4487"}};
 constexpr std::string_view kTagName = "45a3", kComment = "comment";
-constexpr std::size_t kLongestNeeded = kLongestHead + kComment.size();  // At once. [bytes]
+constexpr std::size_t kMaxNeeded = kMaxHead + kComment.size();  // At once. [bytes]
 
 const std::string kCutOff = "The clip is cut off: the file ends within it.";
 
@@ -76,7 +76,7 @@ void RecordSearch::begin(std::string_view bytes) {
 void RecordSearch::walk(std::string_view piece) {
   const std::uint64_t first = at_, end = at_ + piece.size();
   while (at_ < size_) {
-    if (end < size_ && at_ + kLongestNeeded > end) return;
+    if (end < size_ && at_ + kMaxNeeded > end) return;
     step(cut(piece, at_ - first, piece.size()));
   }
   endTag();
@@ -116,7 +116,7 @@ Part RecordSearch::partAt(std::string_view bytes) {
   }
   const auto part = (isMp4_ ? mp4Box : webmElement)(bytes, at_, open_.back());
   if (part) return *part;
-  if (bytes.size() < kLongestHead) throw InputError(kCutOff);
+  if (bytes.size() < kMaxHead) throw InputError(kCutOff);
   throw InputError("The clip is damaged: a part of it has no size.");
 }
 

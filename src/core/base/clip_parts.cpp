@@ -33,7 +33,7 @@ std::optional<Part> mp4Box(std::string_view bytes, std::uint64_t at, std::uint64
   std::uint64_t size = bigEndian(bytes.substr(0, 4)), begin = kHead;
   if (size == 1) {
     size = bigEndian(bytes.substr(kHead, kHead));
-    begin = kLongestHead;
+    begin = kMaxHead;
   }
   if (size == 0) size = end - at;  // The last box may omit its size.
   constexpr std::uint64_t kMax = std::uint64_t{1} << 62;

@@ -22,7 +22,7 @@ struct Part {
 inline constexpr std::uint64_t kUnknownEnd = std::numeric_limits<std::uint64_t>::max();
 
 /// The longest head of a part. [bytes]
-inline constexpr std::size_t kLongestHead = 16;
+inline constexpr std::size_t kMaxHead = 16;
 
 /// The segment of a WebM, in which all but its header is.
 inline constexpr std::string_view kWebmSegment = "18538067";

@@ -1,9 +1,5 @@
 #include "scene/body_section.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,10 +8,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
-#include "physics/motion_start.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/solid_keys.h"
-#include "scene/part_densities.h"
 #include "scene/solid_numbers.h"
 
 namespace rotatebook::scene {

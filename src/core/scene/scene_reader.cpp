@@ -1,5 +1,6 @@
 // Reads a scene from TOML.
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "base/document/included_table.h"
@@ -44,14 +45,18 @@ void readSpeed(const ValueReader& file, Spec& spec) {
   if (!timePerFrame && !spec.clip.speed) spec.clip.speed.emplace();
 }
 
-/// Notes the locations of those kLocatedKeys that the file states, and of the panels' labels.
+/// Notes the location of a key if the file states it.
+void noteLocation(const ValueReader& file, std::string_view key, Spec& spec) {
+  const auto dot = key.find('.');
+  auto value = file.find(key.substr(0, dot));
+  if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
+  if (value) spec.locations.emplace(key, value->node().location);
+}
+
+/// Notes the locations of the keys that Spec::locations has.
 void noteLocations(const ValueReader& file, Spec& spec) {
-  for (const std::string_view key : kLocatedKeys) {
-    const auto dot = key.find('.');
-    auto value = file.find(key.substr(0, dot));
-    if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
-    if (value) spec.locations.emplace(key, value->node().location);
-  }
+  for (const std::string_view key : kLocatedKeys) noteLocation(file, key, spec);
+  for (const DependentKey& one : kDependentKeys) noteLocation(file, one.key, spec);
   const auto panels = file.find("panel");
   if (!panels) return;
   std::size_t panel = 0;

@@ -44,9 +44,9 @@ bool varies(const Spec& spec, std::string_view key) {
 /// depend on one that an axis varies.
 std::vector<std::string_view> openKeys(const Spec& spec) {
   std::vector<std::string_view> open;
-  for (const auto& [varied, section, key] : kDependentKeys) {
-    const std::string path = std::string(section) + "." + std::string(key);
-    if (varies(spec, varied) && !spec.locations.contains(path)) open.push_back(key);
+  for (const auto& [key, of] : kDependentKeys) {
+    if (varies(spec, of) && !spec.locations.contains(key))
+      open.push_back(key.substr(key.find('.') + 1));
   }
   return open;
 }

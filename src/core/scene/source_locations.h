@@ -13,32 +13,21 @@
 namespace rotatebook::scene {
 
 /// The keys that Spec::locations may have, sections before a dot, besides those of labelKey()
-/// and recordingKey().
-inline constexpr std::string_view kLocatedKeys[] = {"title",
-                                                    "caption",
-                                                    "body",
-                                                    "panel",
-                                                    "grid",
-                                                    "book.front",
-                                                    "book.spine",
-                                                    "book.back",
-                                                    "overlay.font",
-                                                    "simulation.file",
-                                                    "simulation.integrator",
-                                                    "body.size",
-                                                    "body.mass",
-                                                    "body.dimensions"};
+/// and recordingKey() and kDependentKeys.
+inline constexpr std::string_view kLocatedKeys[] = {
+    "title",      "caption",    "body",      "panel",        "grid",
+    "book.front", "book.spine", "book.back", "overlay.font", "simulation.file"};
 
 /// A key whose default depends on the value of another.
 struct DependentKey {
-  std::string_view of, section, key;
+  std::string_view key, of;
 };
-inline constexpr DependentKey kDependentKeys[] = {{"simulation.model", "simulation", "integrator"},
-                                                  {"body.shape", "body", "size"},
-                                                  {"body.shape", "body", "mass"},
-                                                  {"body.shape", "body", "dimensions"},
-                                                  {"body.part", "body", "size"},
-                                                  {"body.part", "body", "mass"}};
+inline constexpr DependentKey kDependentKeys[] = {{"simulation.integrator", "simulation.model"},
+                                                  {"body.size", "body.shape"},
+                                                  {"body.mass", "body.shape"},
+                                                  {"body.dimensions", "body.shape"},
+                                                  {"body.size", "body.part"},
+                                                  {"body.mass", "body.part"}};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {

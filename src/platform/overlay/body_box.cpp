@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHiddenOpacity = 0.38;
 constexpr double kHeadLength = 4.2, kHeadWidth = 3.4;  // of an arrow [line widths]
-constexpr double kLongestHead = 0.6;                   // share of the arrow's length
+constexpr double kMaxHead = 0.6;                       // share of the arrow's length
 
 Pen hiddenPen(Pen pen) {
   pen.opacity *= kHiddenOpacity;
@@ -104,7 +104,7 @@ std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& 
   const Part last =
       partsOf([&](double t) { return box.hides(arrow.from + t * along, eye); }).back();
   const auto visible = last.hidden ? std::nullopt : projector(arrow.from + last.from * along);
-  const double head = std::min(kHeadLength * arrow.pen.width, kLongestHead * (*b - *a).norm());
+  const double head = std::min(kHeadLength * arrow.pen.width, kMaxHead * (*b - *a).norm());
   return ArrowShape{*a, *b, visible, arrow.pen.width, head, head * kHeadWidth / kHeadLength};
 }
 

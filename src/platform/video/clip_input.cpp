@@ -89,11 +89,11 @@ std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence
 }
 
 bool ClipInput::beginsAsClip() const {
-  const auto bytes = memory_.bytes.first(std::min(memory_.bytes.size(), kLongestHead));
+  const auto bytes = memory_.bytes.first(std::min(memory_.bytes.size(), kMaxHead));
   std::string head(bytes.begin(), bytes.end());
   if (!io_) {
     std::ifstream file(name_, std::ios::binary);
-    head = bytesAt(file, 0, kLongestHead);
+    head = bytesAt(file, 0, kMaxHead);
   }
   return beginsAsMp4(head) || beginsAsWebm(head);
 }

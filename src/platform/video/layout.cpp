@@ -220,7 +220,7 @@ std::string bytesAt(std::istream& file, std::uint64_t at, std::uint64_t count) {
 
 std::optional<Part> partAt(std::istream& file, PartReader reader, std::uint64_t at,
                            std::uint64_t end) {
-  return reader(bytesAt(file, at, kLongestHead), at, end);
+  return reader(bytesAt(file, at, kMaxHead), at, end);
 }
 
 std::string bigEndianBytes(std::uint64_t number, int count) {

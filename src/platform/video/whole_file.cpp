@@ -54,7 +54,7 @@ void requireWholeFile(const std::filesystem::path& path) {
 }
 
 void requireWholeFile(std::istream& file, const std::string& name) {
-  const std::string head = bytesAt(file, 0, kLongestHead);
+  const std::string head = bytesAt(file, 0, kMaxHead);
   const std::uint64_t size = sizeOf(file);
   if (beginsAsWebm(head)) return requireWholeWebm(file, size, name);
   if (beginsAsMp4(head)) requireWholeMp4(file, size, name);

@@ -1,13 +1,16 @@
 #version 330 core
-// A night sky, identical in all pictures of one size. Drawn once a clip.
+// A night sky, identical in all pictures of one size. Drawn once a clip, or, where the camera turns,
+// in each picture.
 in vec2 position;
 
 uniform vec2 pictureSize;  // [pixels]
+uniform mat4 skyFromPicture;  // Of a camera that turns: (position, 1, 1) to a direction; else 0.
 
 out vec4 colour;  // Encoded as sRGB.
 
 const vec3 kSky = vec3(0.020, 0.023, 0.036);
 const float kCells = 26.0;      // Cells per half of the shorter side; at most one star each.
+const float kSkyCells = 96.0;  // In a sky that turns: along half the edge of a cube around it.
 const float kStarShare = 0.45;  // Share of the cells that have a star.
 
 // Returns four pseudorandom numbers from 0 to 1, identical on every machine (Jarzynski and Olano,
@@ -33,9 +36,23 @@ vec3 star(ivec2 cell, vec2 point, float pixel) {
   return tint * brightness * exp(-dot(offset, offset) / (radius * radius));
 }
 
+// Returns the place of a direction on the unfolded sides of a cube. [cells]
+vec2 onCube(vec3 direction) {
+  vec3 size = abs(direction);
+  int axis = size.x > max(size.y, size.z) ? 0 : size.y > size.z ? 1 : 2;
+  float side = float(2 * axis) + (direction[axis] > 0.0 ? 1.0 : 0.0);
+  vec2 place = vec2(direction[(axis + 1) % 3], direction[(axis + 2) % 3]) / size[axis];
+  return kSkyCells * (place + vec2(4.0 * side, 0.0));
+}
+
 void main() {
   vec2 point = position * kCells;
   float pixel = 2.0 * kCells / min(pictureSize.x, pictureSize.y);
+  if (skyFromPicture[3][3] != 0.0) {
+    vec3 direction = mat3(skyFromPicture) * vec3(position, 1.0);
+    pixel *= kSkyCells / kCells * length(mat3(skyFromPicture)[1]) / length(direction);
+    point = onCube(direction);
+  }
   vec3 light = kSky;
   ivec2 cell = ivec2(floor(point));
   for (int y = -1; y <= 1; ++y) {

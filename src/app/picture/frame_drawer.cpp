@@ -20,7 +20,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
                          const render::DeviceChoice& device, std::future<LoadedLooks> looks)
     : motion_(&motion),
       composition_(std::make_unique<Composition>(scene, motion)),
-      referenceFrame_(scene.camera.frame),
+      referenceFrames_(referenceFramesOf(scene)),
       camera_(timeline::cameraOf(scene, composition_->screen())),
       distances_(scene, motion),
       renderer_([&] {
@@ -31,6 +31,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
       }()),
       moments_(scene),
       isGrid_(scene.grid.has_value()),
+      turns_(scene.camera.frame == scene::ReferenceFrame::Turning),
       hasText_(!scene.overlay.show.empty() || scene.hasPanels()) {
   const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
@@ -65,10 +66,11 @@ Exposure FrameDrawer::makeExposure() const {
 
 void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
   exposure.frame = frame;
-  if (isGrid_ && !mean_) return exposeGrid(frame, exposure);
+  if (isGrid_ && !mean_ && !turns_) return exposeGrid(frame, exposure);
   for (std::size_t motion = 0; motion < motion_->trajectories().size(); ++motion) {
     const std::size_t sample = motion_->sampleAt(motion, frame);
     renderer_.setCamera(cameraAt(motion, frame));
+    if (turns_ && !mean_) turnTo(motion, motion_->trajectories()[motion].samples[sample]);
     if (mean_) {
       exposeBlurred(motion, sample, exposure.blurred[motion]);
     } else {
@@ -89,12 +91,16 @@ void FrameDrawer::exposeGrid(std::int64_t frame, Exposure& exposure) {
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
-    renderer_.draw(lookOf_[motion],
-                   scene::inReferenceFrame(referenceFrame_, moments_.at(motion, sample, i)).cage,
-                   picture);
+    const physics::Sample& moment = moments_.at(motion, sample, i);
+    if (turns_) turnTo(motion, moment);
+    renderer_.draw(lookOf_[motion], referenceFrames_[motion].seen(moment).cage, picture);
     mean_->add(picture.view());
   }
   mean_->take(picture);
+}
+
+void FrameDrawer::turnTo(std::size_t motion, const physics::Sample& sample) {
+  renderer_.setTurning(referenceFrames_[motion].fromWorld(sample).transpose());
 }
 
 void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
@@ -116,8 +122,7 @@ geometry::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) c
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
-  return scene::inReferenceFrame(referenceFrame_, motion_->trajectories()[motion].samples[sample])
-      .cage;
+  return referenceFrames_[motion].seen(motion_->trajectories()[motion].samples[sample]).cage;
 }
 
 }  // namespace rotatebook::picture

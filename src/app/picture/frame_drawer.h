@@ -60,6 +60,8 @@ class FrameDrawer final : public FramePainter {
 
   physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
   geometry::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
+  /// Lets the background be seen from a motion's frame of reference at that moment.
+  void turnTo(std::size_t motion, const physics::Sample& sample);
   /// Draws the bodies of a grid, all at once.
   void exposeGrid(std::int64_t frame, Exposure& exposure);
   /// Draws the mean of the moments during which the shutter is open after `sample`.
@@ -67,14 +69,15 @@ class FrameDrawer final : public FramePainter {
 
   const timeline::ClipMotion* motion_;
   std::unique_ptr<Composition> composition_;
-  scene::ReferenceFrame referenceFrame_;
-  geometry::Camera camera_;  // at the distance that the scene states
+  std::vector<scene::MotionFrame> referenceFrames_;  // by motion
+  geometry::Camera camera_;                          // at the distance that the scene states
   timeline::CameraDistances distances_;
   TextureChecksums textureChecksums_;
   std::vector<std::size_t> lookOf_;  // by motion
   render::Renderer renderer_;        // of a panel
   timeline::ShutterMoments moments_;
   bool isGrid_;
+  bool turns_;                             // The camera, before a background that stands still.
   bool hasText_;                           // Overlays or panels' labels.
   std::optional<image::LinearMean> mean_;  // of the pictures of moments_, if there are several
   std::optional<Exposure> exposure_;       // used by draw()

@@ -12,7 +12,6 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "bridge/bridge.h"
-#include "scene/reference_frame.h"
 #include "scene/scene_text.h"
 #include "timeline/scene_camera.h"
 
@@ -41,7 +40,9 @@ void refuseLong(const scene::Scene& scene, std::size_t motions) {
 }  // namespace
 
 PlayedScene::PlayedScene(scene::Scene scene)
-    : scene_(std::move(scene)), motionCount_(scene_.motions.size()) {
+    : scene_(std::move(scene)),
+      motionCount_(scene_.motions.size()),
+      frames_(scene::referenceFramesOf(scene_)) {
   refuseLong(scene_, motionCount_);
   simulation_.emplace(scene_);
 }
@@ -52,6 +53,7 @@ bool PlayedScene::hasMotionsOf(const scene::Scene& scene) const {
 
 void PlayedScene::replace(scene::Scene scene) {
   scene_ = std::move(scene);
+  frames_ = scene::referenceFramesOf(scene_);
   if (simulation_) simulation_->takeNames(scene_);
   if (whole_) distances_.emplace(scene_, *whole_);
 }
@@ -104,7 +106,7 @@ physics::Sample PlayedScene::sample(std::size_t motion, std::int64_t frame) cons
   const auto& samples = trajectory(motion).samples;
   const auto last = static_cast<std::int64_t>(samples.size()) - 1;
   const auto index = static_cast<std::size_t>(std::clamp<std::int64_t>(frame, 0, last));
-  return scene::inReferenceFrame(scene_.camera.frame, samples[index]);
+  return frames_[motion].seen(samples[index]);
 }
 
 bool PlayedScene::isHeld(std::size_t motion, std::int64_t frame) const {

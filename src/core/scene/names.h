@@ -56,10 +56,11 @@ inline constexpr std::array<Named<physics::Nudge::Axes>, 2> kNudgeAxes{{
 
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
-inline constexpr std::array<Named<ReferenceFrame>, 3> kFrames{{
+inline constexpr std::array<Named<ReferenceFrame>, 4> kFrames{{
     {"world", ReferenceFrame::World},
     {"body", ReferenceFrame::Body},
     {"momentum", ReferenceFrame::Momentum},
+    {"turning", ReferenceFrame::Turning},
 }};
 
 inline constexpr std::array<Named<Fit>, 2> kFits{{

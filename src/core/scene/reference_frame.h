@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include "physics/motion_settings.h"
 #include "physics/sample.h"
 
 namespace rotatebook::scene {
@@ -12,15 +13,33 @@ enum class ReferenceFrame {
   World,     ///< The body's axes at the start; doesn't turn.
   Body,      ///< Turns with the body's attitude: its axes are at rest.
   Momentum,  ///< Turned so that the angular momentum points along +y; at rest if it is conserved.
+  /// Turns evenly, as the body would if nothing disturbed its spin: at the angular velocity that
+  /// the motion starts with, without initial.tilt. The world's at the start.
+  Turning,
 };
 
-/// Returns the rotation from world axes to those of `frame` at this moment. Without angular
-/// momentum, ReferenceFrame::Momentum is the world's; where it points along -y, the rotation is
-/// about x.
-Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& sample);
+/// The reference frame of one motion's pictures.
+class MotionFrame {
+ public:
+  explicit MotionFrame(ReferenceFrame frame) : frame_(frame) {}
+  /// Finds how fast ReferenceFrame::Turning turns. Throws InputError as
+  /// physics::initialAngularVelocity() does.
+  MotionFrame(ReferenceFrame frame, const physics::MotionSettings& motion);
 
-/// Returns `sample` with cage, attitude, angular velocity and angular momentum along the axes of
-/// `frame` at its moment. Quantities without a direction are unchanged.
-physics::Sample inReferenceFrame(ReferenceFrame frame, const physics::Sample& sample);
+  /// Returns the rotation from world axes to the frame's at this moment. Without angular momentum,
+  /// ReferenceFrame::Momentum is the world's; where it points along -y, the rotation is about x.
+  Eigen::Matrix3d fromWorld(const physics::Sample& sample) const;
+  /// Returns `sample` with cage, attitude, angular velocity and angular momentum along the axes of
+  /// the frame at its moment: quantities of the world, seen from the frame. Quantities without a
+  /// direction are unchanged.
+  physics::Sample seen(const physics::Sample& sample) const;
+
+  /// Returns the angular velocity of ReferenceFrame::Turning; 0 of others. [rad/s]
+  const Eigen::Vector3d& turning() const { return turning_; }
+
+ private:
+  ReferenceFrame frame_;
+  Eigen::Vector3d turning_{0, 0, 0};
+};
 
 }  // namespace rotatebook::scene

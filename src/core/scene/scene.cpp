@@ -82,6 +82,12 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
          (kRoomAround * body.size.norm() / 2 / sineOfView(fieldOfViewDeg, width, height));
 }
 
+std::vector<MotionFrame> referenceFramesOf(const Scene& scene) {
+  std::vector<MotionFrame> frames;
+  for (const Panel& panel : scene.motions) frames.emplace_back(scene.camera.frame, panel);
+  return frames;
+}
+
 bool shows(const Scene& scene, Overlay overlay) {
   if (scene.textless && !onTheBody(overlay)) return false;
   return std::ranges::count(scene.overlay.show, overlay) > 0;

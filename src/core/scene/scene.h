@@ -224,6 +224,9 @@ std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t sa
 /// Returns `scene` with `motion` as its only motion.
 Scene withMotion(Scene scene, const Motion& motion);
 
+/// Returns the reference frame in which the camera sees each of the scene's motions.
+std::vector<MotionFrame> referenceFramesOf(const Scene& scene);
+
 /// Returns whether `overlay` is drawn over the pictures of `scene`: on textless pictures, only if
 /// it is on the body.
 bool shows(const Scene& scene, Overlay overlay);

@@ -179,7 +179,7 @@ Trail::Trail(const OverlayContext& context)
     : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
   const ArrowScale scale(context);
   for (const physics::Sample& sample : context.trajectory.samples) {
-    const Eigen::Matrix3d rotation = scene::frameFromWorld(context.scene.camera.frame, sample);
+    const Eigen::Matrix3d rotation = context.frame.fromWorld(sample);
     tips_.push_back(rotation * scale.omegaTip(sample.angularVelocity));
   }
 }

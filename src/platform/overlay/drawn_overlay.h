@@ -27,6 +27,7 @@ struct OverlayContext {
   const Typesetter& type;
   Scale scale;
   double energyTop = 0;  ///< See Viewport::energyTop.
+  scene::MotionFrame frame{scene::ReferenceFrame::World};  ///< Of the camera.
 
   /// Returns an empty canvas of the picture's size.
   Canvas canvas() const { return Canvas(scale.width, scale.height, Ink(scene)); }

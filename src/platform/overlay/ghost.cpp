@@ -89,8 +89,8 @@ Ghost::Ghost(const OverlayContext& context)
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;
   const physics::Sample& sample = samples[static_cast<std::size_t>(view.frame)];
-  const Eigen::Matrix3d frameFromBody = scene::frameFromWorld(context_.scene.camera.frame, sample) *
-                                        exact_.at(sample.time).worldFromBody;
+  const Eigen::Matrix3d frameFromBody =
+      context_.frame.fromWorld(sample) * exact_.at(sample.time).worldFromBody;
   const ProjectedBox box(frameFromBody * context_.scene.motions[0].body.corners(), view.projector);
   if (box.corners.size() < 8) return;
   for (std::size_t side = 0; side < kSides; ++side) {

@@ -38,6 +38,7 @@ struct MotionOverlays::Parts {
         type(Typesetter::of(asked)),
         scale(viewport.width, viewport.height, asked.overlay.scale),
         energyTop(viewport.energyTop),
+        seenFrom(scene::referenceFramesOf(asked).front()),
         canvas(viewport.width, viewport.height, Ink(asked)) {
     scale.enlargeLetters(viewport.letters);
     if (scene.textless) scale.line *= kBold;
@@ -60,7 +61,7 @@ struct MotionOverlays::Parts {
       notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
-  OverlayContext context() const { return {scene, trajectory, type, scale, energyTop}; }
+  OverlayContext context() const { return {scene, trajectory, type, scale, energyTop, seenFrom}; }
 
   bool shows(Overlay overlay) const {
     return scene::shows(scene, overlay) && isFor(scene.motions[0].simulation, overlay);
@@ -168,8 +169,7 @@ struct MotionOverlays::Parts {
 
   /// Returns a sample in the camera's frame of reference.
   physics::Sample sampleAt(std::int64_t frame) const {
-    return scene::inReferenceFrame(scene.camera.frame,
-                                   trajectory.samples[static_cast<std::size_t>(frame)]);
+    return seenFrom.seen(trajectory.samples[static_cast<std::size_t>(frame)]);
   }
 
   scene::Scene scene;
@@ -177,6 +177,7 @@ struct MotionOverlays::Parts {
   Typesetter type;
   Scale scale;
   double energyTop;
+  scene::MotionFrame seenFrom;  // of the camera
   Canvas canvas;
   ArrowLabels labels;
   Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();

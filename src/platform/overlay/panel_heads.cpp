@@ -248,8 +248,7 @@ struct PanelHeads::Parts {
     const bool ended = frame > last;
     frame = std::min(frame, last);
     if (head.label) write(*head.label, panel, 0);
-    const physics::Sample sample = scene::inReferenceFrame(
-        scene.camera.frame, head.motion->samples[static_cast<std::size_t>(frame)]);
+    const physics::Sample& sample = head.motion->samples[static_cast<std::size_t>(frame)];
     const View view{
         frame,  sample,  Projector(Eigen::Matrix4d::Identity(), cells.width, cells.height),
         canvas, picture, ended};

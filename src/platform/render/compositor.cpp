@@ -51,14 +51,15 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
 }
 
 void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
-  picture = background_;
+  const image::Image& background = body.background.width() > 0 ? body.background : background_;
+  picture = background;
   for (const geometry::PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
   edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
               triangles_);
   edgePixels_.number();
-  samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background_, picture);
+  samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background, picture);
 }
 
 }  // namespace rotatebook::render

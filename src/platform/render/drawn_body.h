@@ -23,6 +23,7 @@ struct DrawnBody {
   Eigen::Matrix4d clipFromWorld{};           ///< Clip y points down.
   int winding = 0;                           ///< From frontFaceWinding().
   DrawnStrips strips{};
+  image::Image background{};  ///< Empty where it is the same in all pictures.
 };
 
 }  // namespace rotatebook::render

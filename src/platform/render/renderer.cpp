@@ -1,7 +1,6 @@
 #include "render/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -14,7 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
-#include "embedded/render.h"
+#include "render/backdrop.h"
 #include "render/body/body_painter.h"
 #include "render/body/book_painter.h"
 #include "render/body/mesh_geometry.h"
@@ -23,7 +22,6 @@
 #include "render/device/egl_context.h"
 #include "render/gl/cells.h"
 #include "render/gl/frame_target.h"
-#include "render/gl/shader_program.h"
 
 namespace rotatebook::render {
 namespace {
@@ -65,17 +63,6 @@ DrawnBody testBody(const FrameSize& size) {
   return body;
 }
 
-/// Fills an opaque picture.
-void paint(const Rgb& colour, image::Image& picture) {
-  const std::array<std::uint8_t, 4> pixel{colour.red, colour.green, colour.blue, 255};
-  const auto size = static_cast<std::ptrdiff_t>(image::bytesPerPixel(picture.format()));
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      std::copy_n(pixel.begin(), size, picture.row(y) + size * x);
-    }
-  }
-}
-
 /// One look, and all that is needed to draw its body.
 struct Body {
   Body(std::unique_ptr<BodyPainter> bodyPainter, const image::Image& background, int supersample)
@@ -103,6 +90,7 @@ struct Renderer::Parts {
         height(settings.supersample * settings.height),
         context(settings.device),
         target(width, height),
+        backdrop(settings),
         background(makeBackground()) {
     for (const BodyLook& look : looks)
       bodies.emplace_back(makePainter(look, settings.detail), background, settings.supersample);
@@ -136,30 +124,17 @@ struct Renderer::Parts {
 
   image::Image makeBackground() const {
     image::Image picture(width, height, image::PixelFormat::Rgba8);
-    if (settings.background == Background::Plain) {
-      paint(settings.plainColour, picture);
-    } else if (settings.background != Background::Transparent) {
-      drawBackground(picture);
-    }
+    backdrop.draw(target, Eigen::Matrix4f::Zero(), picture);
     return picture;
   }
 
-  void drawBackground(image::Image& picture) const {
-    const bool studio = settings.background == Background::Studio;
-    const ShaderProgram backdrop(studio ? "studio" : "stars", wholePictureVertexShader(),
-                                 {studio ? studioFragmentShader() : starsFragmentShader()});
-    const geometry::PixelRect everything{0, 0, width, height};
-    target.begin(everything);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    backdrop.use();
-    const Eigen::Vector2i size(settings.width, settings.height);
-    backdrop.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
-    backdrop.set("supersample", settings.supersample);
-    const GlVertexArray noVertices;
-    glBindVertexArray(noVertices.name());
-    glDrawArrays(GL_TRIANGLES, 0, 3);
-    target.readBack({&everything, 1}, picture);
+  /// Draws a background of its own for a body that a turning camera sees.
+  void drawBackground(DrawnBody& drawn) const {
+    if (!worldFromFrame || !backdrop.hasDirections()) return;
+    if (drawn.background.width() == 0) drawn.background = background;
+    const geometry::Screen screen{width, height, settings.supersample * settings.bottomRows};
+    backdrop.draw(target, skyFromPicture(settings.camera, screen, *worldFromFrame),
+                  drawn.background);
   }
 
   std::string testFrame() const {
@@ -239,6 +214,8 @@ struct Renderer::Parts {
   int width, height;   // Of the drawing. [pixels]
   EglContext context;  // Before all that needs it, so that it is destroyed last.
   FrameTarget target;
+  Backdrop backdrop;
+  std::optional<Eigen::Matrix3d> worldFromFrame;  // Of a camera that turns.
   image::Image background;
   std::vector<Body> bodies;                           // By look.
   std::optional<FrameTarget> stripTarget;             // If a body has strips.
@@ -256,6 +233,10 @@ Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 void Renderer::setCamera(const geometry::Camera& camera) {
   parts_->settings.camera = camera;
+}
+
+void Renderer::setTurning(const Eigen::Matrix3d& worldFromFrame) {
+  parts_->worldFromFrame = worldFromFrame;
 }
 
 DrawnBody Renderer::makeBody(std::size_t look) const {
@@ -289,6 +270,7 @@ void Renderer::draw(std::size_t look, const physics::Cage& cage, image::Image& p
 }
 
 void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
+  parts_->drawBackground(body);
   const geometry::Camera& camera = parts_->settings.camera;
   const geometry::PixelRect area = parts_->project(cage, camera, body);
   if (area.width == 0) return;

@@ -65,6 +65,10 @@ class Renderer {
   /// Replaces the camera of the settings from the next draw() on.
   void setCamera(const geometry::Camera& camera);
 
+  /// Lets what stands still in the world, wall and stars, be seen by a camera that turns from the
+  /// next draw() of one body on: `worldFromFrame` takes the axes of its frame to the world's.
+  void setTurning(const Eigen::Matrix3d& worldFromFrame);
+
   /// Returns a picture of the right size and format for draw().
   image::Image makePicture() const;
   /// Draws the first body in this cage (world [m]) and the background over all of `picture`, from

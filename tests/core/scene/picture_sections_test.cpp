@@ -177,10 +177,10 @@ TEST(CameraSection, ReadsEveryKey) {
 }
 
 TEST(CameraSection, RefusesAnUnknownFrame) {
-  EXPECT_EQ(
-      errorOf("[camera]\nframe = 'boddy'"),
-      "a.toml:2:9: camera.frame must be \"world\", \"body\" or \"momentum\", not \"boddy\"; did "
-      "you mean \"body\"?");
+  EXPECT_EQ(errorOf("[camera]\nframe = 'boddy'"),
+            "a.toml:2:9: camera.frame must be \"world\", \"body\", \"momentum\" or \"turning\", "
+            "not \"boddy\"; did "
+            "you mean \"body\"?");
 }
 
 TEST(CameraSection, RefusesNumbersOutOfRange) {

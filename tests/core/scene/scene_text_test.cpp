@@ -133,7 +133,7 @@ position = [0.0, 0.0, 1.0]  # m
 target = [0.0, 0.0, 0.0]  # m, the point in the middle of the picture
 up = [0.0, 1.0, 0.0]
 field_of_view_deg = 30.0  # degrees, from bottom to top
-frame = "world"  # "world", "body" or "momentum"
+frame = "world"  # "world", "body", "momentum" or "turning"
 follow = "none"  # "none" or "size"
 fit = "all"  # "all" or "each"
 

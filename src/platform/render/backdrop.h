@@ -1,0 +1,39 @@
+// Draws what is behind the bodies. Inside the room only.
+#pragma once
+
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "image/image.h"
+#include "render/gl/frame_target.h"
+#include "render/gl/shader_program.h"
+#include "render/renderer.h"
+
+namespace rotatebook::render {
+
+/// The background of pictures: the studio's wall, the night sky, one colour, or nothing.
+class Backdrop {
+ public:
+  /// Needs a current OpenGL context, also for draw().
+  explicit Backdrop(const RenderSettings& settings);
+
+  /// Returns whether it looks otherwise to a camera that turns.
+  bool hasDirections() const { return shaders_.has_value(); }
+  /// Draws over all of `picture` (Rgba8), by way of `target`, both as large as the drawing.
+  /// `skyFromPicture` takes (x, y, 1, 1), from the middle in halves of the picture's shorter side,
+  /// y down, to the direction in the world that is seen there; 0 for a camera that doesn't turn.
+  void draw(const FrameTarget& target, const Eigen::Matrix4f& skyFromPicture,
+            image::Image& picture) const;
+
+ private:
+  const RenderSettings& settings_;
+  std::optional<ShaderProgram> shaders_;  // Of the wall or the sky.
+};
+
+/// Returns `skyFromPicture` for a camera, in a frame of reference from which `worldFromFrame` leads
+/// to the world. Sizes are those of the drawing. [pixels]
+Eigen::Matrix4f skyFromPicture(const geometry::Camera& camera, const geometry::Screen& screen,
+                               const Eigen::Matrix3d& worldFromFrame);
+
+}  // namespace rotatebook::render

@@ -20,7 +20,7 @@ class Controls {
     this.#makeChoice("model", player.core.words.models.map(({name}) => [name, name]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
     this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene),
-      (choice) => player.setBooks(choice));
+      (choice) => player.setBooks(choice), (choice, model) => choice !== "exact" || model !== "exact");
     this.#makeEdited();
     this.#makeIntegrator();
     for (const knob of kKnobs) this.#makeKnob(knob);
@@ -38,7 +38,7 @@ class Controls {
 
   #group(name) { return this.root.querySelector(`[data-group="${name}"]`); }
 
-  #makeChoice(name, options, get, put) {
+  #makeChoice(name, options, get, put, isOffered = () => true) {
     const box = this.root.querySelector(`[data-choice="${name}"]`), row = make("div", {className: "rb-segments"});
     const inputs = options.map(([value, words]) => {
       const input = make("input", {type: "radio", name: "rb-" + name, value});
@@ -47,9 +47,12 @@ class Controls {
       return input;
     });
     box.append(row);
-    this.refreshers.push((scene, book) => {
+    this.refreshers.push((scene, book, model) => {
       const value = get(scene, book);
-      for (const input of inputs) input.checked = input.value === value;
+      for (const input of inputs) {
+        input.checked = input.value === value;
+        input.parentElement.hidden = !input.checked && !isOffered(input.value, model);
+      }
     });
   }
 

@@ -49,6 +49,19 @@ describe("choices", () => {
     await close();
   });
 
+  test("the exact book beside one of another model alone", async () => {
+    const {page, problems, close, choose} = await opened();
+    const isOffered = () => page.locator("label:has(> input[name=rb-books][value=exact])").isVisible();
+    assert.equal(await isOffered(), false);  // Two exact books are "two".
+    await choose("model", "matrix");
+    assert.equal(await isOffered(), true);
+    await choose("books", "exact");
+    await choose("edited", "1");
+    assert.equal(await isOffered(), true);  // What is chosen stays.
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
   test("every model with every integrator of its own", async () => {
     const {page, problems, close, choose} = await opened();
     const models = await page.evaluate(() => rotatebook.player.core.words.models);

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "base/number_text.h"
 #include "physics/motion_start.h"
 #include "recording/recorded_motion.h"
-#include "rigid/exact_rotation.h"
+#include "rigid/inertia.h"
+#include "rigid/regime.h"
 #include "scene/mesh_notes.h"
 #include "timeline/free_pieces.h"
+#include "timeline/spin.h"
 
 namespace rotatebook::timeline {
 namespace {
@@ -41,8 +44,7 @@ std::string remedyForSpeed(const physics::SimulationSettings& settings) {
                              : "choose a shorter simulation.time_per_frame";
 }
 
-void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inertia,
-                  const DoubleDouble3& spin, std::vector<std::string>& notes) {
+void addSpeedNote(const scene::Motion& motion, std::vector<std::string>& notes) {
   const double interval = motion.simulation.timePerFrame;
   const double turn = initialAngularVelocity(motion).norm() * interval;
   if (turn > pi) {
@@ -51,9 +53,9 @@ void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inert
                     remedyForSpeed(motion.simulation));
     return;
   }
-  const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
-  if (frames >= kFewFramesBetweenFlips) return;
-  notes.push_back("the body flips every " + roundedText(frames, kDigits) +
+  const std::optional<double> flips = spinOf(motion).flipInterval();
+  if (!flips || *flips / interval >= kFewFramesBetweenFlips) return;
+  notes.push_back("the body flips every " + roundedText(*flips / interval, kDigits) +
                   " frames, so that frames, counts and expectations miss some; " +
                   remedyForSpeed(motion.simulation));
 }
@@ -98,7 +100,7 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   addSizeNote(panel, notes);
   const rigid::PrincipalAxes inertia = modelInertia(panel);
   const DoubleDouble3 spin = panel.initial.alongPrincipal(inertia);
-  addSpeedNote(panel, inertia, spin, notes);
+  addSpeedNote(panel, notes);
   // Particles tumble by their rounding, and a nudge starts what the spin doesn't.
   if (panel.simulation.model != physics::Model::Particles && panel.nudges.empty()) {
     addSteadyNote(panel, inertia, spin, notes);

@@ -68,6 +68,12 @@ TEST(Notes, AreMadeOnASpinTooFastForTheFrames) {
               ElementsAre(HasSubstr("frames, so that frames, counts and expectations miss some")));
 }
 
+TEST(Notes, AreNoneOnTheFlipsOfABodyThatHasNone) {
+  const std::string rod = "body.inertia = [5, 5, 0.04]\ninitial.angular_velocity = ";
+  EXPECT_THAT(notesWith(rod + "[0, 1, 100]\n"), IsEmpty());
+  EXPECT_THAT(notesWith("initial.angular_velocity = [0, 20, 120]\n"), IsEmpty());
+}
+
 TEST(Notes, AreMadeOnASpinThatNeverTumbles) {
   EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\n"),
               ElementsAre(HasSubstr("exactly about the middle axis")));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/elementary.h"
 
@@ -46,9 +47,10 @@ std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t sa
   return std::max<std::int64_t>(std::llround(length / motion.simulation.steps().length()), 1);
 }
 
-Scene withMotion(Scene scene, const Motion& motion) {
+Scene withMotion(Scene scene, Panel motion) {
   scene.grid.reset();
-  scene.motions = {{motion, ""}};
+  motion.label.clear();
+  scene.motions = {std::move(motion)};
   return scene;
 }
 
@@ -84,7 +86,9 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
 
 std::vector<MotionFrame> referenceFramesOf(const Scene& scene) {
   std::vector<MotionFrame> frames;
-  for (const Panel& panel : scene.motions) frames.emplace_back(scene.camera.frame, panel);
+  for (const Panel& panel : scene.motions) {
+    frames.emplace_back(panel.frame.value_or(scene.camera.frame), panel);
+  }
   return frames;
 }
 

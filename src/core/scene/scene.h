@@ -139,6 +139,8 @@ struct Motion : physics::MotionSettings {
 /// [[panel]]: one of several motions that a clip shows side by side, with the scene's timePerFrame.
 struct Panel : Motion {
   std::string label{};  ///< Not empty; no two panels have the same.
+  /// The reference frame in which the camera sees it, in place of CameraSettings::frame.
+  std::optional<ReferenceFrame> frame{};
 
   friend bool operator==(const Panel&, const Panel&) = default;
 };
@@ -222,7 +224,7 @@ std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
 /// Returns the integration steps that so many samples of a motion in steps take, >= 1.
 std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t samples);
 /// Returns `scene` with `motion` as its only motion.
-Scene withMotion(Scene scene, const Motion& motion);
+Scene withMotion(Scene scene, Panel motion);
 
 /// Returns the reference frame in which the camera sees each of the scene's motions.
 std::vector<MotionFrame> referenceFramesOf(const Scene& scene);

@@ -179,8 +179,8 @@ TEST(Panels, NameTheNearestKey) {
             "a.toml:7:20: panel.simulation.model must be \"particles\", \"matrix\", "
             "\"quaternion\", \"exact\" or \"recorded\", not \"exakt\"; did you mean \"exact\"?");
   EXPECT_EQ(errorOfText(twoPanels("camera.target = [0, 0, 0]")),
-            "a.toml:7:1: unknown key \"camera\" in [panel]; valid are \"label\", \"body\", "
-            "\"simulation\", \"initial\", \"nudge\" and \"expect\"");
+            "a.toml:7:1: unknown key \"camera\" in [panel]; valid are \"label\", \"frame\", "
+            "\"body\", \"simulation\", \"initial\", \"nudge\" and \"expect\"");
   EXPECT_EQ(errorOfText(twoPanels("body = 5")), "a.toml:7:8: panel.body must be a section, not 5");
 }
 
@@ -245,6 +245,25 @@ TEST(Panels, ReadBackFromTheirText) {
 TEST(Panels, AreSeenWholeByTheDefaultCamera) {
   const Scene scene = sceneOf(twoPanels("body.size = [1, 2, 3]"));
   EXPECT_EQ(scene.cameraPosition, defaultCameraPosition(scene.motions[1].body, 30, 1, 1));
+}
+
+TEST(Panels, AreSeenInTheirOwnFrames) {
+  const Scene scene = sceneOf(
+      "camera.frame = 'momentum'\n[initial]\nangular_velocity = [0, 3, 6]\n"
+      "[[panel]]\nlabel = 'A'\nframe = 'body'\n[[panel]]\nlabel = 'B'\n");
+  physics::Sample sample;
+  sample.attitude = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX());
+  sample.angularMomentum = {1, 2, 3};
+  const auto frames = referenceFramesOf(scene);
+  ASSERT_EQ(frames.size(), 2U);
+  const auto in = [&](ReferenceFrame frame) { return MotionFrame(frame).fromWorld(sample); };
+  EXPECT_EQ(frames[0].fromWorld(sample), in(ReferenceFrame::Body));
+  EXPECT_EQ(frames[1].fromWorld(sample), in(ReferenceFrame::Momentum));
+  const Scene alone = withMotion(scene, scene.motions[0]);
+  EXPECT_EQ(referenceFramesOf(alone).front().fromWorld(sample), in(ReferenceFrame::Body));
+  const std::string text = sceneText(scene);
+  EXPECT_THAT(text, HasSubstr("label = \"A\"\nframe = \"body\""));
+  EXPECT_EQ(sceneText(sceneOf(text)), text);
 }
 
 TEST(MotionsOf, AreThePanelsOrTheSceneItself) {

@@ -216,6 +216,10 @@ Keys<Panel> panelKeys() {
           {.meaning = "shown in the picture and the report, and part of the CSV file's name",
            .byDefault = "required",
            .affects = Affects::Text}),
+      choice<&Panel::frame, kFrames>(
+          "frame", {.meaning = "the reference frame that the camera turns with in this panel",
+                    .byDefault = "as `camera.frame`",
+                    .affects = Affects::Picture}),
   };
   return keys;
 }

@@ -53,12 +53,15 @@ std::string flipsText(const MotionSummary& summary) {
 std::string distanceText(const MotionSummary& summary) {
   if (!summary.errorDeg) return "the exact motion itself, in closed form";
   const double farthest = *summary.errorDeg;
+  const char* exact = summary.motion.simulation.dissipates()
+                          ? "the exact motion without dissipation"
+                          : "the exact motion";
   if (farthest < 1) {
     const std::string bound = roundedUp(farthest, 1);
-    return fmt::format("within {} degree{} of the exact motion", bound, bound == "1" ? "" : "s");
+    return fmt::format("within {} degree{} of {}", bound, bound == "1" ? "" : "s", exact);
   }
-  const std::string text = fmt::format("up to {} degrees from the exact motion",
-                                       roundedUp(std::min(farthest, kHalfTurnDeg), 3));
+  const std::string text = fmt::format("up to {} degrees from {}",
+                                       roundedUp(std::min(farthest, kHalfTurnDeg), 3), exact);
   if (!summary.visibleFrom) return text;
   return fmt::format("{}; more than {} from {} s on", text,
                      shortestText(timeline::kVisibleErrorDeg), secondsText(*summary.visibleFrom));

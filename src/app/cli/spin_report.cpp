@@ -74,6 +74,20 @@ std::string phasesText(const SpinPeriod& period) {
       degrees(std::fabs(period.geometricTurn)));
 }
 
+/// Says how a body ends that loses energy: it keeps L, with which a spin about the axis of the
+/// largest moment has the least energy.
+std::string endText(const Spin& spin) {
+  const double end = spin.angularMomentum.norm() / spin.moments[2];
+  const double energy = spin.moments[2] * end * end / 2;
+  return fmt::format(
+      "the numbers are those at the start; dissipation ends in a spin about {} at {} rad/s, in "
+      "either sense, with {} % of the energy",
+      spin.equal == EqualMoments::TwoLargest || spin.equal == EqualMoments::All
+          ? "an axis of the largest moment"
+          : axisText(spin, 2),
+      text(end), text(100 * energy / spin.energy));
+}
+
 std::string eulerText(const SpinNumbers& numbers) {
   const timeline::EulerSteps& euler = *numbers.euler;
   const std::string keeps = fmt::format("{} s each, to keep the regime for {} s", text(euler.step),
@@ -177,6 +191,7 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
     remarks.push_back(fmt::format("the numbers are those before the first nudge, at {} s",
                                   text(numbers.motion.nudges.front().at)));
   }
+  if (numbers.motion.simulation.dissipates()) remarks.push_back(endText(spin));
   if (numbers.motion.simulation.model == physics::Model::Particles) {
     const bool areCorners =
         numbers.motion.simulation.particles.arrangement == physics::Arrangement::Corners;

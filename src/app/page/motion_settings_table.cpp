@@ -46,6 +46,11 @@ std::string springsText(const scene::Panel& motion) {
                      settings.damping > 0 ? "damping " + number(settings.damping) : "undamped");
 }
 
+std::string dissipationText(const scene::Panel& motion) {
+  const physics::SimulationSettings& settings = motion.simulation;
+  return settings.dissipates() ? number(settings.dissipation) + " kg m² s" : "";
+}
+
 std::string spinText(const scene::Panel& motion) {
   const physics::InitialSpin& spin = motion.initial;
   const bool isVelocity = spin.kind == physics::InitialSpin::Kind::AngularVelocity;
@@ -123,6 +128,7 @@ Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSe
   rows += rowOf("Integrator", motions, &integratorText);
   rows += rowOf("Step", motions, &stepText);
   rows += rowOf("Springs", motions, &springsText);
+  rows += rowOf("Dissipation", motions, &dissipationText);
   rows += rowOf("Spin", motions, &spinText);
   rows += rowOf("Tilt", motions, &tiltText);
   rows += rowOf("Book", motions, &bodyText);

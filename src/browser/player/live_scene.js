@@ -69,8 +69,14 @@ class LiveScene {
     });
   }
 
+  /** Returns what a book is to have with `model`: no dissipation, if the model takes none. */
+  #withoutLoss(model, book) {
+    const takesIt = this.words.keys["simulation.dissipation"].models.includes(model);
+    return takesIt || !this.value(book, "simulation", "dissipation") ? {} : {dissipation: 0};
+  }
+
   withModel(book, model) {
-    const tree = this.withKeys(book, "simulation", {model, integrator: this.words.models.find(({name}) => name === model).integrator ?? undefined});
+    const tree = this.withKeys(book, "simulation", {model, ...this.#withoutLoss(model, book), integrator: this.words.models.find(({name}) => name === model).integrator ?? undefined});
     const panel = tree.panel?.[book];
     if (panel?.label === "exact" && model !== "exact") panel.label = "second";
     return tree;
@@ -157,12 +163,16 @@ class LiveScene {
   get nudgeTimes() { return (this.explicit.nudge ?? []).map((nudge) => nudge.at); }
 
   /** Adds a second book beside the first, which differs in `sections`. */
-  withSecondBook(label, sections) {
+  withSecondBook(label, sections = {}) {
     return this.withMotion((tree) => {
       delete tree.grid;
       tree.panel = [{label: "first"}, {label, ...clone(sections)}];
       LiveScene.#setShown(tree, this.explicit, "ghost", false);
     });
+  }
+
+  withExactBook() {
+    return this.withSecondBook("exact", {simulation: {model: "exact", ...this.#withoutLoss("exact", 0)}});
   }
 
   /** Leaves one book: its own keys become the scene's. */
@@ -175,6 +185,7 @@ class LiveScene {
         const merged = section === "initial" ? {...panel.initial} : {...tree[section], ...panel[section]};
         tree[section] = merged;
       }
+      if (panel.frame) tree.camera = {...tree.camera, frame: panel.frame};
       if (tree.simulation?.model === "exact") delete tree.simulation.integrator;
     });
   }
@@ -193,10 +204,10 @@ class LiveScene {
     if (!this.shows("ghost") || this.tree.grid) return null;
     return this.changed((tree) => {
       delete tree.overlay;  // Some are for particles alone.
-      tree.simulation = {...tree.simulation, model: "exact"};
+      tree.simulation = {...tree.simulation, model: "exact", dissipation: 0};
       delete tree.simulation.integrator;
       for (const panel of tree.panel ?? []) {
-        panel.simulation = {...panel.simulation, model: "exact"};
+        panel.simulation = {...panel.simulation, model: "exact", dissipation: 0};
         delete panel.simulation.integrator;
       }
     });

@@ -283,7 +283,7 @@ class Player {
       return;
     }
     const isExact = choice === "exact";
-    const other = one.withSecondBook(isExact ? "exact" : "second", isExact ? {simulation: {model: "exact"}} : {});
+    const other = isExact ? one.withExactBook() : one.withSecondBook("second");
     if (this.apply(other)) this.edit(isExact ? 0 : 1);
   }
 

@@ -16,6 +16,9 @@ std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings) {
   }
   const Stepping* stepping = steppingOf(settings.simulation.model, settings.simulation.integrator);
   if (stepping == nullptr) throw InputError("this model doesn't have this integrator");
+  if (settings.simulation.dissipates() && !stepping->takesDissipation) {
+    throw InputError("this integrator takes no dissipation");
+  }
   return stepping->make(settings);
 }
 

@@ -34,6 +34,8 @@ constexpr bool takesSteps(Model model) {
 std::vector<Integrator> integratorsOf(Model model);
 /// Returns whether `model` has `integrator`.
 bool isFor(Model model, Integrator integrator);
+/// Returns whether `model`, stepped by `integrator`, takes SimulationSettings::dissipation.
+bool takesDissipation(Model model, Integrator integrator);
 /// Returns the integrator that `model` uses if a scene states none: Rk4 for the rigid models, which
 /// stay close to the exact motion with it; for the particles Euler, the paper's. Models
 /// that take no steps don't use it.
@@ -70,11 +72,18 @@ struct SimulationSettings {
   std::optional<double> step{};  ///< Length of a step, in place of `substeps`, > 0. [s]
   RecordedFile recorded{};       ///< Of Model::Recorded alone.
   ParticleSettings particles{};  ///< Particles only: where they are.
+  /// Model::Matrix and Model::Quaternion only: what a damper inside takes, see
+  /// RigidConstants::dissipation, >= 0. [kg m^2 s]
+  double dissipation = 0;
 
   /// Returns the steps that the motion repeats from its start on, whatever its samples.
   EqualSteps steps() const {
     if (step) return {*step, 1};
     return {substepped.value_or(timePerFrame), substeps};
+  }
+  /// Returns whether a rigid body's energy has a sink.
+  bool dissipates() const {
+    return dissipation > 0 && (model == Model::Matrix || model == Model::Quaternion);
   }
   /// Returns the steps from one normalisation of the particles' energy to the next; 0 for none.
   int energyEvery() const { return normalizeEnergyEvery.value_or(normalizeEvery); }

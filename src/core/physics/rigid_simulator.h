@@ -22,12 +22,13 @@ RigidState<Attitude> startOf(const rigid::PrincipalAxes& axes, const Eigen::Vect
 
 /// Returns a rigid body's constants, from the angular velocity at t = 0. [rad/s]
 inline RigidConstants constantsOf(const rigid::PrincipalAxes& axes,
-                                  const Eigen::Vector3d& angularVelocity) {
+                                  const Eigen::Vector3d& angularVelocity, double dissipation = 0) {
   const Eigen::Vector3d along = axes.bodyFromPrincipal.transpose() * angularVelocity;
-  return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
+  return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along), dissipation};
 }
 
-/// Returns the state as it is reported, with the momentum in these axes.
+/// Returns the state as it is reported, with the momentum in these axes. The angular velocity is
+/// I^-1 L, from which turnRate() differs by eps I^-1 a.
 template <typename Attitude>
 BodyState bodyStateOf(const RigidConstants& body, const Eigen::Matrix3d& principalFromBody,
                       const RigidState<Attitude>& state, bool momentumInBody) {
@@ -90,7 +91,7 @@ class RigidSimulator final : public Simulator {
 
  private:
   RigidSimulator(const MotionSettings& settings, const rigid::PrincipalAxes& axes)
-      : body_(constantsOf(axes, initialAngularVelocity(settings))),
+      : body_(constantsOf(axes, initialAngularVelocity(settings), settings.simulation.dissipation)),
         principalFromBody_(axes.bodyFromPrincipal.transpose()),
         state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),
         normalization_(settings.simulation.normalizeEvery) {}

@@ -37,7 +37,8 @@ constexpr KeyModels only(physics::Model model) {
 inline constexpr KeyModels kOfAll{~0u},
     kOfRecorded = only(physics::Model::Recorded), kOfComputed = kOfAll.but(kOfRecorded),
     kOfParticles = only(physics::Model::Particles), kOfRigid = kOfComputed.but(kOfParticles),
-    kOfStepwise = kOfComputed.but(only(physics::Model::Exact));
+    kOfStepwise = kOfComputed.but(only(physics::Model::Exact)),
+    kOfRigidSteps = kOfStepwise.but(kOfParticles);
 
 /// The form of a key's value, with its limits.
 struct ValueForm {

@@ -117,12 +117,14 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
 
   // Refuse an integrator that the model doesn't have, unless the scene states it for other panels
   // and this one takes no steps
+  const auto simulation = merged.find("simulation");
+  if (!simulation) return;
   const TomlNode::Table* own = tableOf(panel, "simulation");
   const bool isOwn = own != nullptr && find(*own, "integrator") != nullptr;
-  if (const auto simulation = merged.find("simulation");
-      simulation && (isOwn || physics::takesSteps(read.simulation.model))) {
+  if (isOwn || physics::takesSteps(read.simulation.model)) {
     checkIntegrator(*simulation, read.simulation);
   }
+  checkDissipation(*simulation, read.simulation);
 }
 
 Panel readPanel(const ValueReader& panel, const ValueReader& file,

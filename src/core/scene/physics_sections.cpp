@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/document/problems.h"
@@ -164,6 +165,26 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
                    quotedList(integratorNames(settings.model), "and"));
 }
 
+void checkDissipation(const ValueReader& section, const physics::SimulationSettings& settings) {
+  const physics::Model model = settings.model;
+  const physics::Integrator integrator = settings.integrator;
+  const auto dissipation = section.find("dissipation");
+  if (!dissipation || settings.dissipation == 0 || takesDissipation(model, integrator)) return;
+  const std::string chosen =
+      dissipation->name() + " = " + tomlNumber(settings.dissipation) + ", but the ";
+  std::vector<std::string_view> names;
+  for (const std::string_view name : integratorNames(model)) {
+    const auto one = std::ranges::find(kIntegrators, name, &Named<physics::Integrator>::name);
+    if (takesDissipation(model, one->value)) names.push_back(name);
+  }
+  if (names.empty()) {
+    dissipation->fail(chosen + "model " + tomlString(nameOf(kModels, model)) +
+                      " takes none; leave it 0, or choose \"matrix\" or \"quaternion\"");
+  }
+  dissipation->fail(chosen + "integrator " + tomlString(nameOf(kIntegrators, integrator)) +
+                    " takes none; choose " + quotedList(names, "or"));
+}
+
 void checkRecorded(const ValueReader& motion, const ValueReader& own,
                    const physics::SimulationSettings& settings) {
   if (settings.recorded.file.empty()) {
@@ -184,7 +205,10 @@ void checkMotion(const ValueReader& file, const physics::SimulationSettings& set
     requireSpin(*initial);
   }
   if (const auto body = file.find("body")) checkParticlesBody(*body, settings);
-  if (const auto simulation = file.find("simulation")) checkIntegrator(*simulation, settings);
+  if (const auto simulation = file.find("simulation")) {
+    checkIntegrator(*simulation, settings);
+    checkDissipation(*simulation, settings);
+  }
 }
 
 }  // namespace rotatebook::scene

@@ -78,6 +78,9 @@ void checkRecorded(const ValueReader& motion, const ValueReader& own,
                    const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [simulation], states an integrator that the model doesn't have.
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
+/// Throws InputError if `section`, [simulation], states a dissipation that the model or its
+/// integrator doesn't take.
+void checkDissipation(const ValueReader& section, const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [overlay], lists an overlay that none of the scene's motions
 /// has.
 void checkOverlays(const ValueReader& section, const Scene& scene);

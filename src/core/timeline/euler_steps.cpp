@@ -24,6 +24,7 @@ physics::MotionSettings byEuler(physics::MotionSettings settings) {
   settings.simulation.model = physics::Model::Quaternion;
   settings.simulation.integrator = physics::Integrator::Euler;
   settings.simulation.normalizeEvery = 1;
+  settings.simulation.dissipation = 0;
   settings.simulation.step.reset();
   return settings;
 }

@@ -57,7 +57,8 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
         samples, [](const Sample& sample) { return sample.errorDeg > kVisibleErrorDeg; });
     if (visible != samples.end()) summary.visibleFrom = visible->time;
   }
-  if (std::string note = regimeNote(trajectory, motion.nudges); !note.empty()) {
+  if (std::string note = regimeNote(trajectory, motion.nudges);
+      !note.empty() && !motion.simulation.dissipates()) {
     summary.notes.push_back(std::move(note));
   }
   return summary;

@@ -62,6 +62,10 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
                         : words[Word::Undamped]);
     parts.push_back(fmt::format("k = {} N/m", words.number(shortestText(settings.stiffness))));
   }
+  if (settings.dissipates()) {
+    parts.push_back(fmt::format("{} {} kg m²\u00a0s", words[Word::Dissipation],
+                                words.number(shortestText(settings.dissipation))));
+  }
   const double step = 1e3 * settings.steps().length();
   parts.push_back(fmt::format("{} {} ms", words[Word::Step], words.number(roundedText(step, 3))));
   return parts;

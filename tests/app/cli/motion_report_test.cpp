@@ -37,6 +37,14 @@ TEST(DistanceText, SaysFromWhenOnAnErrorIsLarge) {
             "up to 11 degrees from the exact motion; more than 10 from 1200 s on");
 }
 
+TEST(DistanceText, OfABodyThatLosesEnergyIsToOneThatDoesnt) {
+  MotionSummary summary{.motion = {}, .errorDeg = 179.93, .visibleFrom = 2};
+  summary.motion.simulation.dissipation = 2e-6;
+  EXPECT_EQ(
+      distanceText(summary),
+      "up to 180 degrees from the exact motion without dissipation; more than 10 from 2 s on");
+}
+
 TEST(DistanceText, OfTheExactModelHasNoNumber) {
   EXPECT_EQ(distanceText({}), "the exact motion itself, in closed form");
 }

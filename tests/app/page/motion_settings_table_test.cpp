@@ -76,6 +76,13 @@ TEST(SettingsTable, HasEverySettingOfAMotion) {
                                 "30000/1001 frames/s</td>")));
 }
 
+TEST(SettingsTable, HasTheDissipationOfABodyThatLosesEnergy) {
+  scene::Panel panel = rigid(Model::Quaternion);
+  panel.simulation.dissipation = 2e-6;
+  EXPECT_NE(settingsTable({panel}, clip()).text.find(row("Dissipation", "<td>2e-06 kg m² s</td>")),
+            std::string::npos);
+}
+
 TEST(SettingsTable, HasAColumnForEachMotion) {
   EXPECT_EQ(
       settingsTable({particles(), rigid(Model::Quaternion)}, clip()).text,

@@ -38,10 +38,12 @@ struct Golden {
   Integrator integrator;
   bool normalize;
   std::uint64_t hash;
+  double dissipation = 0;  // [kg m^2 s]
 };
 
 std::string nameOf(const Golden& golden) {
-  return nameOf(golden.model, golden.integrator) + (golden.normalize ? "" : "Unnormalised");
+  return nameOf(golden.model, golden.integrator) + (golden.normalize ? "" : "Unnormalised") +
+         (golden.dissipation > 0 ? "Dissipating" : "");
 }
 
 void PrintTo(const Golden& golden, std::ostream* stream) {
@@ -57,6 +59,7 @@ TEST_P(Determinism, GivesTheSameBitsInEveryBuild) {
   MotionSettings settings =
       settingsOf({.model = golden.model, .slant = 0.1, .normalize = golden.normalize});
   settings.simulation.integrator = golden.integrator;
+  settings.simulation.dissipation = golden.dissipation;
   const auto simulator = makeSimulator(settings);
   simulator->advance(10000 * settings.simulation.timePerFrame / settings.simulation.substeps,
                      10000);
@@ -108,6 +111,12 @@ INSTANTIATE_TEST_SUITE_P(
         Golden{Model::Particles, Integrator::Verlet, false, 0x5ac85e33081da559},
         Golden{Model::Particles, Integrator::Rk4, true, 0x4a7b6db64861c436},
         Golden{Model::Particles, Integrator::Rk4, false, 0xd375067f2b236224},
+        Golden{Model::Matrix, Integrator::Rk4, true, 0x9336f1ced4b10375, 2e-6},
+        Golden{Model::Matrix, Integrator::Cf4, true, 0x4a943650af79158d, 2e-6},
+        Golden{Model::Quaternion, Integrator::Euler, true, 0x2f071505230f50ea, 2e-6},
+        Golden{Model::Quaternion, Integrator::Rk4, true, 0xfd6e16fd4217f8c, 2e-6},
+        Golden{Model::Quaternion, Integrator::LieEuler, true, 0xad411eb92d226aa, 2e-6},
+        Golden{Model::Quaternion, Integrator::Cf4, true, 0xf25e4701c9b08cc1, 2e-6},
         Golden{Model::Exact, Integrator::Euler, true, 0x20b78d8b1c056907}),
     [](const auto& instance) { return nameOf(instance.param); });
 

@@ -178,6 +178,20 @@ TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
             "its own, simulation.model = \"exact\", for rigid bodies; particles have none");
 }
 
+TEST(SimulationSection, RefusesDissipationWhereNothingTakesIt) {
+  EXPECT_EQ(sceneFrom("simulation.dissipation = 2e-6").motions[0].simulation.dissipation, 2e-6);
+  EXPECT_EQ(sceneFrom("[simulation]\nmodel = 'exact'\ndissipation = 0").motions[0].simulation.model,
+            Model::Exact);
+  EXPECT_EQ(errorOf("[simulation]\nintegrator = 'dmv6'\ndissipation = 2e-6"),
+            "a.toml:3:15: simulation.dissipation = 2e-06, but the integrator \"dmv6\" takes none; "
+            "choose \"euler\", \"rk4\", \"lie-euler\" or \"cf4\"");
+  for (const std::string model : {"exact", "particles"}) {
+    EXPECT_EQ(errorOf("[simulation]\nmodel = '" + model + "'\ndissipation = 2e-6"),
+              "a.toml:3:15: simulation.dissipation = 2e-06, but the model \"" + model +
+                  "\" takes none; leave it 0, or choose \"matrix\" or \"quaternion\"");
+  }
+}
+
 TEST(SimulationSection, KnowsTheModels) {
   EXPECT_EQ(sceneFrom("simulation.model = 'particles'").motions[0].simulation.model,
             Model::Particles);

@@ -111,6 +111,7 @@ integrator = "rk4"  # )" + listOfIntegrators("or", Model::Quaternion) +
 normalize = true  # undo the integrator's drift after each step, or after each n-th
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
+dissipation = 0.0  # matrix and quaternion: kg m^2 s, of a damper inside
 particles = "corners"  # particles: where they are
 substeps = 64  # integration steps in 1/60 s of motion, or in time_per_frame if it is stated
 

@@ -77,6 +77,16 @@ TEST(MotionSummary, IsUnmetByADivergenceThatNobodyExpects) {
   EXPECT_FALSE(summary.met());
 }
 
+TEST(MotionSummary, HasNoNoteOnTheRegimeOfABodyThatLosesEnergy) {
+  const scene::Scene scene = scene::parseScene(
+      "title = \"t\"\nclip.duration = 2\nsimulation.dissipation = 1e-4\n"
+      "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"y\"]",
+      "s.toml");
+  const ClipMotion motion = simulateScene(scene);
+  EXPECT_NE(regimeNote(motion.trajectories().front(), {}), "");
+  EXPECT_THAT(summarize(scene, motion).front().notes, ::testing::IsEmpty());
+}
+
 TEST(MotionSummary, IsOfEachPanelInItsOrder) {
   const scene::Scene scene = scene::parseScene(
       "title = \"t\"\nclip.duration = 2\ninitial.angular_velocity = [5, 0, 0]\n"

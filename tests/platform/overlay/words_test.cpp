@@ -59,10 +59,10 @@ scene::Words markers() {
 /// Numbers, units, quantities, axes and the proper names of integrators, which are the same in all
 /// languages.
 bool isInternational(const std::string& part) {
-  static const std::set<std::string> kSame{"s",       "ms",   "N",     "m",    "t",         "k",
-                                           "E",       "T",    "U",     "ω",    "L",         "x",
-                                           "y",       "z",    "euler", "rk4",  "lie-euler", "cf4",
-                                           "suzuki4", "dmv2", "dmv4",  "dmv6", "verlet"};
+  static const std::set<std::string> kSame{
+      "s",       "ms",   "N",    "m",    "t",      "k",     "E",   "T",         "U",
+      "ω",       "L",    "x",    "y",    "z",      "euler", "rk4", "lie-euler", "cf4",
+      "suzuki4", "dmv2", "dmv4", "dmv6", "verlet", "kg",    "m²"};
   static const std::regex kNumber("[0-9]+(·[0-9]+)?(e[-+]?[0-9]+)?");
   return kSame.contains(part) || std::regex_match(part, kNumber);
 }
@@ -70,7 +70,9 @@ bool isInternational(const std::string& part) {
 /// Returns the parts of `text` that are neither markers nor international.
 std::string foreignParts(const std::string& text) {
   static const std::regex kBetween("«[0-9]+_*»|[ ,;=/%]|\u00a0|°|\u00d7|−|\\+|₀");
-  std::istringstream parts(std::regex_replace(text, kBetween, " "));
+  static const std::regex kExponent("([0-9])e\\+");  // Its sign stands between nothing.
+  const std::string unsignedOnes = std::regex_replace(text, kExponent, "$1e");
+  std::istringstream parts(std::regex_replace(unsignedOnes, kBetween, " "));
   std::string foreign;
   for (std::string part; parts >> part;) {
     if (!isInternational(part)) foreign += part + " ";

@@ -18,6 +18,7 @@ namespace rotatebook::physics {
 class ExplicitEuler {
  public:
   static constexpr bool kMomentumInBody = false;
+  static constexpr bool kTakesDissipation = true;
 
   ExplicitEuler(const RigidConstants& body, double h)
       : body_(body), quaternionStep_(stepOf(body, h)), h_(h) {}
@@ -32,7 +33,13 @@ class ExplicitEuler {
     state.attitude += h_ * (rigid::crossMatrix(w) * state.attitude);
   }
 
-  void step(RigidState<Eigen::Quaterniond>& state) const { takeStep(state, quaternionStep_); }
+  void step(RigidState<Eigen::Quaterniond>& state) const {
+    if (body_.dissipation == 0) return takeStep(state, quaternionStep_);
+    const Eigen::Vector3d turn =
+        h_ / 2 * angularVelocityInWorld(body_, mapOf(state.attitude), state.momentum);
+    const Eigen::Quaterniond rate = Eigen::Quaterniond(0, turn.x(), turn.y(), turn.z());
+    state.attitude.coeffs() += (rate * state.attitude).coeffs();
+  }
 
  private:
   RigidConstants body_;

@@ -36,6 +36,9 @@ constexpr Stepping rigid(std::string_view keeps, int nanoseconds, std::string_vi
   if constexpr (requires(const RigidConstants& body) { Method::stepOf(body, 1.0); }) {
     result.quaternionStep = &quaternionStepOf<Method>;
   }
+  result.takesDissipation = requires {
+    Method::kTakesDissipation;
+  };
   return result;
 }
 
@@ -76,6 +79,11 @@ const Stepping* steppingOf(Model model, Integrator integrator) {
 
 bool isFor(Model model, Integrator integrator) {
   return steppingOf(model, integrator) != nullptr;
+}
+
+bool takesDissipation(Model model, Integrator integrator) {
+  const Stepping* stepping = steppingOf(model, integrator);
+  return stepping != nullptr && stepping->takesDissipation;
 }
 
 std::vector<Integrator> integratorsOf(Model model) {

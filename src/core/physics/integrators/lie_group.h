@@ -8,10 +8,12 @@
 namespace rotatebook::physics {
 
 /// Base of these methods: the angular momentum L is constant in world axes, and an attitude has the
-/// angular velocity w = A I^-1 A^T L. Keeps L, and the attitude a rotation, to rounding.
+/// angular velocity w = angularVelocityInWorld(). Keeps L, and the attitude a rotation, to
+/// rounding.
 class LieGroupMethod {
  public:
   static constexpr bool kMomentumInBody = false;
+  static constexpr bool kTakesDissipation = true;
 
   LieGroupMethod(const RigidConstants& body, double h) : body_(body), h_(h) {}
 

@@ -17,6 +17,7 @@ std::optional<QuaternionMotion> QuaternionMotion::of(const MotionSettings& setti
   requireSameLayout();
   const SimulationSettings& stepping = settings.simulation;
   if (stepping.model != Model::Quaternion || !settings.nudges.empty()) return std::nullopt;
+  if (stepping.dissipation != 0) return std::nullopt;
   const Stepping* found = steppingOf(stepping.model, stepping.integrator);
   if (found == nullptr || found->quaternionStep == nullptr) return std::nullopt;
   const rigid::PrincipalAxes axes = modelInertia(settings);

@@ -16,8 +16,8 @@ namespace rotatebook::physics {
 class QuaternionMotion {
  public:
   /// Returns the motion that `settings` specify, with the integrator's step between two samples;
-  /// nullopt for another model, a motion with nudges, and an integrator whose step is no template.
-  /// Throws InputError as makeSimulator() does, and StepTooLong.
+  /// nullopt for another model, a motion with nudges or dissipation, and an integrator whose step
+  /// is no template. Throws InputError as makeSimulator() does, and StepTooLong.
   static std::optional<QuaternionMotion> of(const MotionSettings& settings);
 
   const rigid::PrincipalAxes& inertia() const { return axes_; }

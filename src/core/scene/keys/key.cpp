@@ -25,10 +25,11 @@ std::string quotedAsCode(std::string_view text) {
 }
 
 std::string meaningOf(const KeyText& key, const ValueForm& form, const std::string& unit) {
-  const std::string models = key.models == kOfParticles  ? "particles: "
-                             : key.models == kOfRecorded ? "recorded: "
-                             : key.models == kOfRigid    ? "rigid models: "
-                                                         : "";
+  const std::string models = key.models == kOfParticles    ? "particles: "
+                             : key.models == kOfRecorded   ? "recorded: "
+                             : key.models == kOfRigid      ? "rigid models: "
+                             : key.models == kOfRigidSteps ? "matrix and quaternion: "
+                                                           : "";
   return models + (key.meaning.empty() ? commentOf(key, form) : std::string(key.meaning)) +
          (unit.empty() ? "" : " [" + unit + "]");
 }

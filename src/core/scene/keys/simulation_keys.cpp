@@ -146,6 +146,12 @@ constexpr std::array kOwnKeys{
                                             .meaning = "of each spring",
                                             .unit = "N/m",
                                             .models = kOfParticles}),
+    number<&SimulationSettings::dissipation>(
+        "dissipation", kFactors,
+        {.comment = "matrix and quaternion: kg m^2 s, of a damper inside",
+         .meaning = "rate of a loss of energy, see [a sink of energy](motion.md#a-sink-of-energy)",
+         .unit = "kg m² s",
+         .models = kOfRigidSteps}),
     own<&SimulationSettings::particles, arrangementFrom, arrangementText>(
         "particles", kExpectedArrangement,
         {.comment = "particles: where they are",

@@ -35,12 +35,14 @@ const std::map<std::string, Excused> kExcused{
     {"figures/fig04b-jiggled-y", {20, "the axis holds; stretched, it lags by 0.5 % of ten turns"}},
     {"figures/fig05d-ten-minutes",
      {180,
-      "seen from the book at twenty times the speed, where an outline would only flicker; the "
+      "half of it at forty times the speed, where an outline would only flicker; the "
       "caption says that dampers end the tumbling, and that the correction makes L larger"}},
     {"figures/fig06-undamped",
      {180, "the right motion of these springs, by Verlet's method, is beside the wrong one"}},
     {"particles-soft",
      {180, "a soft body has a motion of its own; the caption says that it turns over, not when"}},
+    {"bodies/earth", {180, "it loses energy; the caption says what that comes to"}},
+    {"bodies/explorer-1", {180, "it loses energy; the one that loses none is beside it"}},
     {"bodies/particles-beside-rigid", {20, "the exact motion is beside it"}},  // measured 18.8
     {"comparisons/ninety-six",
      {180, "rows of right methods are beneath those of wrong ones, and the caption says which"}},

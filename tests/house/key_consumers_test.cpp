@@ -22,9 +22,16 @@ using ::testing::IsSupersetOf;
 
 /// The headers, below src/, of the structs that keys fill.
 const std::set<fs::path> kSettings{
-    "core/physics/motion_settings.h", "core/physics/nudge.h", "core/scene/scene.h",
-    "core/scene/expectation.h",       "core/scene/axis.h",    "core/scene/grid_settings.h",
-    "core/scene/map_settings.h",      "core/scene/solid.h",   "core/scene/study_settings.h",
+    "core/physics/motion_settings.h",
+    "core/physics/nudge.h",
+    "core/scene/scene.h",
+    "core/scene/moment.h",
+    "core/scene/expectation.h",
+    "core/scene/axis.h",
+    "core/scene/grid_settings.h",
+    "core/scene/map_settings.h",
+    "core/scene/solid.h",
+    "core/scene/study_settings.h",
 };
 
 /// Returns the text of a file without comments and strings.

@@ -103,7 +103,7 @@ int render(const RenderArguments& arguments) {
 
 constexpr const char* kRenderFooter = R"(
 Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.json, DIR/NAME.poster.png and
-DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
+DIR/NAME/frame_00000.png ..., where NAME is the scene file's; of a scene with cues DIR/NAME.vtt, its captions.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single one, a row for each book.
 -o FILE, such as -o clip.mp4, makes that video alone of the frames; its table and poster are beside it,
 named after it. -o clip.mp4 -o clip.gif makes both. -o DIR/ is a folder, also if its name has a dot.

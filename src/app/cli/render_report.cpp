@@ -26,7 +26,7 @@ int encoderThreads(const scene::Scene& scene, const pipeline::RenderOptions& opt
   return threads;
 }
 
-/// Returns the videos, tables and poster that a render left, or an earlier run if it was done.
+/// Returns the videos, tables, captions and poster that a render left, or an earlier run if it was done.
 std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
                               const pipeline::RenderOptions& options) {
   std::vector<fs::path> files;
@@ -38,6 +38,7 @@ std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
   if (result.interrupted) return files;
   files.insert(files.end(), result.csvs.begin(), result.csvs.end());
   if (!result.files.json.empty()) files.push_back(result.files.json);
+  if (!result.captions.empty()) files.push_back(result.captions);
   if (!options.isPart()) files.push_back(result.files.poster);
   return files;
 }

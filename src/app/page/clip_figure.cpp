@@ -9,9 +9,9 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
-#include "page/captions.h"
 #include "page/clip_result.h"
 #include "page/clip_videos.h"
 #include "page/expectation_table.h"
@@ -19,7 +19,9 @@
 #include "page/motion_settings_table.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
+#include "store/encoding.h"
 #include "system/read_file.h"
+#include "timeline/web_vtt.h"
 
 namespace rotatebook::page {
 namespace {
@@ -142,13 +144,34 @@ Html divergenceOf(const scene::Scene& scene, const Clip& clip) {
   return notes;
 }
 
-/// Returns the events as a list, folded away; each is a button for its frame. Empty without events.
-Html eventList(const std::vector<Event>& events) {
-  if (events.empty()) return {};
+/// A moment of a clip to go to.
+struct Moment {
+  std::int64_t frame = 0;
+  std::string words;
+};
+
+/// Returns chapters, captions and events in the order of their frames.
+std::vector<Moment> momentsOf(const scene::Scene& scene, const ClipResult& result) {
+  std::vector<Moment> moments;
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    const auto& [at, text, hold, chapter] = scene.cues[shown.cue];
+    if (shown.frame >= result.frames) continue;
+    const std::string words = joined({chapter, oneLine(text.value_or(""))}, ": ");
+    if (!words.empty()) moments.push_back({shown.frame, words});
+  }
+  for (const timeline::ClipEvent& event : result.events)
+    moments.push_back({event.frame, eventText(event, scene.overlay.words)});
+  std::ranges::stable_sort(moments, {}, &Moment::frame);
+  return moments;
+}
+
+/// Returns the moments as a list, folded away; each is a button for its frame. Empty without any.
+Html momentList(const std::vector<Moment>& moments) {
+  if (moments.empty()) return {};
   Html items;
-  for (const Event& event : events) {
+  for (const Moment& moment : moments) {
     items += filled(R"(<li><button type="button" data-frame="{{frame}}">{{words}}</button></li>)",
-                    {{"frame", {std::to_string(event.frame)}}, {"words", escaped(event.words)}});
+                    {{"frame", {std::to_string(moment.frame)}}, {"words", escaped(moment.words)}});
   }
   return filled(kEvents, {{"items", items}});
 }
@@ -165,8 +188,7 @@ Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
                                      {"thumbnail", addressOf(figure.thumbnail)},
                                      {"video", addressOf(figure.clip)}};
   if (clip.videos.isMovingPicture) return filled(movingPictureTemplate(), values);
-  values["captions"] =
-      addressOf(webVtt(clip.result.events, scene.clip.frameRate, clip.result.frames));
+  values["captions"] = addressOf(webVtt(scene, clip.result.events, clip.result.frames));
   values["last"] = {std::to_string(clip.result.frames - 1)};
   return filled(videoTemplate(), values);
 }
@@ -181,6 +203,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
   Figure figure{kind, scene.name, scene.title, files.nameOfPicture(thumbnail)};
   figure.clip = nameOf(clip.videos.played);
   figure.frameRate = scene.clip.frameRate;
+  figure.chapters = store::chaptersOf(scene);
   figure.pictures = {poster, thumbnail};
   const std::vector<Check> checks = allChecks(clip);
   figure.badge = unmetBadge(checks);
@@ -195,7 +218,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
                            {"width", {std::to_string(scene.clip.width)}},
                            {"height", {std::to_string(scene.clip.height)}},
                            {"screen", screenOf(scene, clip, figure, files.nameOfPicture(poster))},
-                           {"events", eventList(clip.result.events)},
+                           {"events", momentList(momentsOf(scene, clip.result))},
                            {"settings", settingsTable(clip.motions, scene.clip)},
                            {"checks", foldedChecks(checks, tablesOf(clip))},
                            {"links", linksOf(clip, files)},

@@ -10,12 +10,10 @@
 namespace rotatebook::page {
 namespace {
 
-Event eventIn(const Json& event) {
+timeline::ClipEvent eventIn(const Json& event) {
   const Json& label = event.at("label");
-  return {event.at("frame").get<std::int64_t>(),
-          headOf(event.at("time_s").get<double>()) +
-              (label.is_null() ? "" : label.get<std::string>() + ": ") +
-              event.at("words").get<std::string>()};
+  return {event.at("frame").get<std::int64_t>(), event.at("time_s").get<double>(),
+          label.is_null() ? "" : label.get<std::string>(), event.at("words").get<std::string>()};
 }
 
 MotionResult motionIn(const Json& motion) {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "page/captions.h"
 #include "page/expectation_table.h"
 #include "scene/scene.h"
+#include "timeline/clip_events.h"
 
 namespace rotatebook::page {
 
@@ -23,7 +23,7 @@ struct MotionResult {
 struct ClipResult {
   std::int64_t frames = 0;
   std::vector<MotionResult> motions{};  ///< In the order of Scene::motions.
-  std::vector<Event> events{};
+  std::vector<timeline::ClipEvent> events{};
   /// "plots" with "rate", "frames" and, unless it is empty, "checksum"; safe in a <script>.
   std::string plots{};
 };

@@ -9,6 +9,7 @@
 #include "page/html.h"
 #include "scene/scene.h"
 #include "video/clip_reader.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::page {
 
@@ -40,6 +41,7 @@ struct Figure {
   std::vector<std::string> leftOut{};
   std::string clip{};     ///< The video that is played; empty of stills, studies and maps.
   FrameRate frameRate{};  ///< Of the clip.
+  std::vector<video::Chapter> chapters{};  ///< Likewise.
   /// Its PNGs that a page for the web has as WebP: of posters, thumbnails and stills.
   std::vector<std::string> pictures{};
   std::vector<std::string> files{};  ///< Its other files that a page for the web has.

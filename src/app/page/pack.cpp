@@ -49,6 +49,7 @@ void recodeInto(system::AtomicFile& file, const Figure& figure, const fs::path& 
   settings.keyFrameInterval = kKeyFrameInterval;
   settings.title = metadata.title;
   settings.comment = metadata.comment;
+  settings.chapters = figure.chapters;
   video::recode(from, file.temporaryPath(), settings);
 }
 

@@ -156,7 +156,7 @@ void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Imag
     }
     if (heads_) heads_->draw(frame, picture);
   }
-  captionAndClock_.draw(motion_->clockFrame(frame), picture);
+  captionAndClock_.draw(frame, motion_->clockFrame(frame), picture);
 }
 
 void Composition::drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,

@@ -42,6 +42,8 @@ class Composition {
   /// Returns the overlays that overlay.show asks for and for which a motion's picture has no room,
   /// in the order of scene::Overlay.
   std::vector<scene::Overlay> leftOut() const;
+  /// Returns overlay::CaptionAndClock::longCues().
+  const std::vector<std::size_t>& longCues() const { return captionAndClock_.longCues(); }
   /// Returns a picture of the clip's size with the background between panels.
   image::Image makePicture() const { return background_; }
   /// Draws over all of `picture`, from makePicture(); `frame` is 0 to below motion.frameCount().

@@ -15,8 +15,9 @@ namespace rotatebook::picture {
 
 namespace {
 
-/// Returns a sentence on the overlays for which the scene's pictures have no room; empty without.
-std::string noteOnRoom(const scene::Scene& scene) {
+/// Returns sentences on the overlays for which the scene's pictures have no room, and on cues of
+/// more lines than are read at a glance.
+std::vector<std::string> notesOnText(const scene::Scene& scene) {
   // A clip of one frame has the text of the whole clip.
   scene::Scene first = scene;
   first.clip.duration = scene.clip.frameRate.period();
@@ -25,15 +26,21 @@ std::string noteOnRoom(const scene::Scene& scene) {
   std::vector<std::string> names;
   for (const scene::Overlay overlay : composition.leftOut())
     names.push_back(quotedText(scene::rowOf(overlay).name));
-  if (names.empty()) return "";
+  std::vector<std::string> notes;
+  for (const std::size_t cue : composition.longCues()) {
+    notes.push_back(fmt::format(
+        "cue.{}.text takes more than two lines, which few read in time; shorten it", cue));
+  }
+  if (names.empty()) return notes;
   const char* them = names.size() == 1 ? "it" : "them";
   const char* have = scene.grid          ? "cells have"
                      : scene.hasPanels() ? "panels have"
                                          : "a picture has";
-  return fmt::format(
+  notes.push_back(fmt::format(
       "overlay.show has {}, for which {} no room in {} pixels; make the picture larger, or leave "
       "{} out",
-      listed(names), have, sizeText(scene.clip.width, scene.clip.height), them);
+      listed(names), have, sizeText(scene.clip.width, scene.clip.height), them));
+  return notes;
 }
 
 }  // namespace
@@ -45,13 +52,13 @@ TextureFiles preflight(const scene::Scene& scene) {
 }
 
 void requireText(const scene::Scene& scene) {
-  noteOnRoom(scene);
+  notesOnText(scene);
 }
 
 std::vector<std::string> notesOn(const scene::Scene& scene) {
   std::vector<std::string> notes = timeline::notesOn(scene);
-  const std::string room = noteOnRoom(scene);
-  if (!room.empty()) notes.push_back(room);
+  const std::vector<std::string> ofText = notesOnText(scene);
+  notes.insert(notes.end(), ofText.begin(), ofText.end());
   return notes;
 }
 

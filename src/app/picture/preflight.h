@@ -16,8 +16,8 @@ TextureFiles preflight(const scene::Scene& scene);
 /// Verifies that the scene's text can be set. Throws InputError like Composition.
 void requireText(const scene::Scene& scene);
 
-/// Returns timeline::notesOn() a scene, and a sentence on the overlays for which its pictures have
-/// no room, if there are any. Throws InputError like Composition.
+/// Returns timeline::notesOn() a scene, and sentences on overlays for which its pictures have no
+/// room, and on cues that take more than two lines. Throws InputError like Composition.
 std::vector<std::string> notesOn(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

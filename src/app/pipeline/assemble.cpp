@@ -55,6 +55,14 @@ std::int64_t wholeFrameCount(const scene::Scene& scene) {
   return isRecorded ? scene.clip.frameCount() : timeline::simulateScene(scene).frameCount();
 }
 
+/// Throws InputError if the scene's chapters begin at events of a motion that isn't here.
+void requireSchedule(const scene::Scene& scene) {
+  if (scene.cues.size() == scene.shownCues.size()) return;
+  throw InputError(scene.name +
+                   ": its cues name events of a recorded motion, whose file isn't among the "
+                   "frames; rotatebook render makes the video");
+}
+
 /// The settings and the frames of the video.
 struct Source {
   video::VideoSettings settings;
@@ -72,9 +80,10 @@ Source sourceFor(const fs::path& folder, store::FrameRange range,
     const scene::Scene scene = scene::parseScene(text, sceneCopy);
     const std::string record = store::recordOfVideo(text, video::ffmpegVersion());
     const Assembled made{range, wholeFrameCount(scene)};
-    return {
-        store::videoSettings(scene, made.isPart() ? store::recordOfPart(record, range) : record),
-        made};
+    requireSchedule(scene);
+    return {store::videoSettings(scene, made.isPart() ? store::recordOfPart(record, range) : record,
+                                 !made.isPart()),
+            made};
   }
   if (!frameRate) {
     throw InputError(folder.string() +

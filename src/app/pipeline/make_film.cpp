@@ -73,7 +73,8 @@ bool encodeFilm(const scene::Scene& scene, const store::MapTiles& frames, std::s
       throw MachineError("a frame of " + path.string() + " is lost; try again with --resume");
     const image::Image picture = decoded(*png);
     if (!sink) {
-      video::VideoSettings settings = store::videoSettings(scene, store::recordOfFilm(scene));
+      video::VideoSettings settings =
+          store::videoSettings(scene, store::recordOfFilm(scene), false);
       settings.width = picture.width();
       settings.height = picture.height();
       settings.transparent = false;

@@ -22,6 +22,7 @@
 #include "system/machine.h"
 #include "system/temporary_files.h"
 #include "timeline/motion_checksum.h"
+#include "timeline/web_vtt.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -76,6 +77,7 @@ class Render {
         drawer_(scene, motion, options.device, textures) {
     result_.files = filesOf(scene, options, range_);
     result_.csvs = store::csvFiles(result_.files.csv, scene);
+    if (!scene.cues.empty()) result_.captions = result_.files.captions;
   }
 
   RenderResult run(const RenderListener& listener) {
@@ -156,7 +158,7 @@ class Render {
   void renderInto(store::ClipFolder& folder, const std::string& record,
                   const RenderListener& listener) {
     const std::string shown = options_.isPart() ? store::recordOfPart(record, range_) : record;
-    const video::VideoSettings video = store::videoSettings(scene_, shown);
+    const video::VideoSettings video = store::videoSettings(scene_, shown, !options_.isPart());
     std::vector<OpenOutput> outputs;
     for (const RenderOutput& output : options_.outputs) {
       outputs.push_back({&output, output.open({scene_, result_.files, video, folder.checksums()})});
@@ -210,6 +212,11 @@ class Render {
       store::writeResult(result_.files.json, scene_, motion_,
                          summaries_.empty() ? timeline::summarize(scene_, motion_) : summaries_,
                          motionSum_);
+    }
+    if (!result_.captions.empty()) {
+      system::writeFileAtomically(
+          result_.captions,
+          timeline::webVtt(scene_, timeline::eventsOf(scene_, motion_), motion_.frameCount()));
     }
     if (!options_.isPart()) {
       picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),

@@ -59,6 +59,7 @@ struct RenderListener {
 struct RenderResult {
   store::ClipFiles files;
   std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
+  std::filesystem::path captions{};         ///< NAME.vtt, if the scene has cues.
   std::int64_t framesWritten = 0;           ///< Including those kept.
   std::int64_t framesKept = 0;              ///< From an earlier run.
   std::vector<std::string> others;          ///< ClipFolder::keptOfOtherSettings()

@@ -127,6 +127,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
           .videoStem = frames,
           .csv = folder / (name + ".csv"),
           .json = folder / (name + ".json"),
+          .captions = folder / (name + ".vtt"),
           .poster = folder / (name + ".poster.png"),
           .thumbnail = folder / (name + ".thumbnail.png")};
 }
@@ -134,6 +135,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
   ClipFiles files = clipFiles(folder, name);
   files.videoStem = folder / fmt::format("{}_{:05}-{:05}", name, part.first, part.end);
+  files.captions.clear();
   files.poster.clear();
   return files;
 }
@@ -142,6 +144,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, const ClipP
   ClipFiles files = clipFiles(folder, name);
   files.csv.clear();
   files.json.clear();
+  files.captions.clear();
   files.poster.clear();
   return files;
 }
@@ -165,6 +168,7 @@ std::vector<fs::path> outputFiles(const ClipFiles& files, const scene::Scene& sc
                                   const std::vector<video::VideoFormat>& formats) {
   std::vector<fs::path> outputs = csvFiles(files.csv, scene);
   if (!files.json.empty()) outputs.push_back(files.json);
+  if (!files.captions.empty() && !scene.cues.empty()) outputs.push_back(files.captions);
   if (!files.poster.empty()) outputs.push_back(files.poster);
   for (const video::VideoFormat format : formats) outputs.push_back(files.video(format));
   return outputs;

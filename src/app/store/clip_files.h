@@ -78,6 +78,7 @@ struct ClipFiles {
   std::filesystem::path videoStem;           ///< NAME, to which video() appends an ending
   std::filesystem::path csv;                 ///< NAME.csv, or empty; see csvFiles() for panels
   std::filesystem::path json;                ///< NAME.json, timeline::clipJson(); empty without csv
+  std::filesystem::path captions;            ///< NAME.vtt, timeline::webVtt(); empty for a part
   std::filesystem::path poster;              ///< NAME.poster.png; empty for a part
   std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 
@@ -104,7 +105,7 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
 
 /// Returns the files that a render of `scene` leaves beside the frames: the tables, the videos and,
-/// of a whole clip, the poster.
+/// of a whole clip, the poster and, if it has cues, the captions.
 std::vector<std::filesystem::path> outputFiles(const ClipFiles& files, const scene::Scene& scene,
                                                const std::vector<video::VideoFormat>& formats);
 

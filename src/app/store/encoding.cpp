@@ -2,7 +2,17 @@
 
 namespace rotatebook::store {
 
-video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record) {
+std::vector<video::Chapter> chaptersOf(const scene::Scene& scene) {
+  std::vector<video::Chapter> chapters;
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    const std::string& name = scene.cues[shown.cue].chapter;
+    if (!name.empty()) chapters.push_back({shown.frame, name});
+  }
+  return chapters;
+}
+
+video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record,
+                                   bool isWhole) {
   video::VideoSettings settings;
   settings.width = scene.clip.width;
   settings.height = scene.clip.height;
@@ -13,6 +23,7 @@ video::VideoSettings videoSettings(const scene::Scene& scene, const std::string&
   settings.threads = scene.video.threads;
   settings.title = scene.title;
   settings.comment = record;
+  if (isWhole) settings.chapters = chaptersOf(scene);
   return settings;
 }
 

@@ -22,6 +22,7 @@
 #include "system/program_mark.h"
 #include "system/read_file.h"
 #include "timeline/clip_tables.h"
+#include "timeline/web_vtt.h"
 
 namespace rotatebook::store {
 namespace {
@@ -150,6 +151,7 @@ void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& 
     if (!isFile(file)) continue;
     const bool isKnown = file.extension() == ".csv"    ? isTable(file)
                          : file.extension() == ".json" ? isResult("clip", file)
+                         : file.extension() == ".vtt"  ? headerOf(file) == timeline::kVttHead
                          : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
                                                        : system::hasProgramMark(file);
     if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;

@@ -1,9 +1,7 @@
 // What is said: events, politely and not too often, to those who listen; messages to everybody.
 
 const kSilence = 1500;  // [ms]
-const kOrdinals = ["", "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"];
 
-const ordinal = (number) => kOrdinals[number] ?? `${number}.`;
 const seconds = (time) => `${time.toFixed(2)} s`;
 
 class Announcer {
@@ -38,7 +36,7 @@ class Announcer {
 function wordsOfEvents(events, from, to, labels, timeOf) {
   return events.filter(({frame}) => frame > from && frame <= to).map(({frame, motion, halfTurns, isEnd}) => {
     const who = labels.length > 1 ? `${labels[motion]}: ` : "";
-    const what = isEnd ? "the motion diverged, and ends" : `turned over, ${ordinal(halfTurns)} time`;
+    const what = isEnd ? "the motion diverged, and ends" : `flip ${halfTurns}`;
     return `${who}${seconds(timeOf(frame))}: ${what}`;
   });
 }

@@ -4,6 +4,7 @@ const kStartTilt = 0.014;  // [rad]
 const kStartSpeed = 4;     // [rad/s]
 const kAxes = ["x", "y", "z"];
 const kChanged = ", changed";
+const kEvent = /flip|nudge|burst|end/;
 const kTiltToward = {x: "z", y: "x", z: "x"};
 /** Sections that a panel may have of its own. */
 const kPanelSections = ["body", "simulation", "initial", "expect"];
@@ -42,11 +43,13 @@ class LiveScene {
     return tree;
   }
 
-  /** As above, of what the motion depends on: expectations and caption spoke of another motion. */
+  /** As above, of what the motion depends on: expectations, captions and events were of another motion. */
   withMotion(action) {
     return this.changed((tree) => {
       delete tree.expect;
       delete tree.caption;
+      delete tree.cue;
+      if (Array.isArray(tree.clip?.speed) && tree.clip.speed.some(({from, to}) => kEvent.test(from) || kEvent.test(to))) delete tree.clip.speed;
       delete tree.study;
       if (tree.grid) delete tree.grid.expect;
       for (const panel of tree.panel ?? []) delete panel.expect;

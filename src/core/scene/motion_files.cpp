@@ -14,6 +14,7 @@
 #include "recording/read_recording.h"
 #include "scene/body_section.h"
 #include "scene/placed_particles.h"
+#include "scene/schedule.h"
 #include "scene/solid_numbers.h"
 #include "scene/solid_particles.h"
 #include "scene/source_locations.h"
@@ -53,33 +54,43 @@ void checkDuration(const physics::MotionSettings& motion, double length) {
                    " s of it; lower clip.duration or clip.speed");
 }
 
-/// Reads the recording that a motion is taken from, if it is; the clip shows `length` of it. [s]
-void readIfRecorded(physics::MotionSettings& motion, const Scene& scene,
-                    const std::string& location, double length,
-                    const ReadNamedFile& readNamedFile) {
+/// Does `work` for the recording that a motion is taken from, if it is; its problems are at
+/// `location`.
+template <typename Work>
+void ifRecorded(const physics::MotionSettings& motion, const std::string& location,
+                const Work& work) {
   if (motion.simulation.model != physics::Model::Recorded) return;
   try {
-    readRecording(motion, scene.folder, readNamedFile);
-    checkDuration(motion, length);
+    work();
   } catch (const InputError& error) {
     document::failAt(location, error.what());
   }
 }
 
+/// Returns the location of the file of motion `index`.
+std::string locationOfFile(const Scene& scene, std::size_t index) {
+  const bool isOwn = scene.locations.contains(recordingKey(index));
+  return locationOf(scene, isOwn ? recordingKey(index) : "simulation.file");
+}
+
 }  // namespace
 
 void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
-  const double length = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
-  const std::string location = locationOf(scene, "simulation.file");
   for (std::size_t i = 0; i < scene.motions.size(); ++i) {
-    const bool isOwn = scene.locations.contains(recordingKey(i));
     Panel& motion = scene.motions[i];
-    readIfRecorded(motion, scene, isOwn ? locationOf(scene, recordingKey(i)) : location, length,
-                   readNamedFile);
+    ifRecorded(motion, locationOfFile(scene, i),
+               [&] { readRecording(motion, scene.folder, readNamedFile); });
     if (lacksSurface(motion)) placeInMesh(motion, readNamedFile);
   }
   for (StudyRun& run : scene.runs) {
-    readIfRecorded(run.motion, scene, location, 0, readNamedFile);
+    ifRecorded(run.motion, locationOf(scene, "simulation.file"),
+               [&] { readRecording(run.motion, scene.folder, readNamedFile); });
+  }
+  schedule(scene);
+  const double length = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
+  for (std::size_t i = 0; i < scene.motions.size(); ++i) {
+    ifRecorded(scene.motions[i], locationOfFile(scene, i),
+               [&] { checkDuration(scene.motions[i], length); });
   }
 }
 

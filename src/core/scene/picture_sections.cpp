@@ -1,4 +1,5 @@
-// The sections [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
+// The sections [clip], [video], [[cue]], [camera], [book], [look] and [overlay]: how the motion is
+// shown.
 #include <algorithm>
 #include <initializer_list>
 #include <string>
@@ -91,6 +92,7 @@ std::span<const Section<Spec>> pictureSections() {
   static const std::vector<Section<Spec>> sections{
       clipSection(),
       section<Spec>("video", &Spec::video, videoKeys()),
+      cueSection(),
       section<Spec>("camera", &Spec::camera, cameraKeys()),
       section<Spec>("book", &Spec::book, bookKeys()),
       section<Spec>("look", &Spec::look, lookKeys()),

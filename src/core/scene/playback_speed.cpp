@@ -13,14 +13,15 @@ struct Change {
 };
 
 /// Returns all changes of speed before `end`, the first at 0.
-std::vector<Change> changesOf(const std::vector<SpeedStretch>& stretches, double end) {
-  std::vector<Change> changes{{0, 1}};
-  for (const SpeedStretch& stretch : stretches) {
-    // A stretch that begins with the one before, or at 0, replaces the return to 1.
+std::vector<Change> changesOf(const PlaybackSpeed& speed, double end) {
+  std::vector<Change> changes{{0, speed.constant}};
+  for (const SpeedStretch& stretch : speed.stretches) {
+    if (stretch.hasMoments()) continue;
+    // A stretch that begins with the one before, or at 0, replaces the return to the constant.
     if (stretch.from == changes.back().at) changes.pop_back();
     const bool goesOnHolding = stretch.value == 0 && !changes.empty() && changes.back().speed == 0;
     if (!goesOnHolding) changes.push_back({stretch.from, stretch.value});
-    if (stretch.to < end) changes.push_back({stretch.to, 1});
+    if (stretch.to < end) changes.push_back({stretch.to, speed.constant});
   }
   return changes;
 }
@@ -57,16 +58,15 @@ double startOfHold(const std::vector<Change>& changes, double videoTime) {
 }  // namespace
 
 double PlaybackSpeed::at(double videoTime) const {
-  if (stretches.empty()) return constant;
   for (const SpeedStretch& stretch : stretches) {
     if (videoTime >= stretch.from && videoTime < stretch.to) return stretch.value;
   }
-  return 1;
+  return constant;
 }
 
 double PlaybackSpeed::timeAt(double videoTime, double end) const {
   if (stretches.empty()) return constant * videoTime;
-  const std::vector<Change> changes = changesOf(stretches, end);
+  const std::vector<Change> changes = changesOf(*this, end);
   videoTime = startOfHold(changes, videoTime);
   double time = changes.front().speed * videoTime;
   for (std::size_t i = 1; i < changes.size(); ++i) {

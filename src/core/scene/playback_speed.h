@@ -2,7 +2,10 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include "scene/moment.h"
 
 namespace rotatebook::scene {
 
@@ -11,6 +14,11 @@ struct SpeedStretch {
   double from = 0;   ///< >= 0. [s] of video
   double to = 0;     ///< > from. [s] of video
   double value = 1;  ///< Simulated time over time of video, >= 0; 0 holds the picture.
+  /// The moments of the motion that are stated in place of `from` and `to`. Speeds go without such
+  /// a stretch until schedule() finds its times.
+  std::optional<Moment> begin{}, end{};
+
+  bool hasMoments() const { return begin || end; }
 
   friend bool operator==(const SpeedStretch&, const SpeedStretch&) = default;
 };
@@ -18,10 +26,10 @@ struct SpeedStretch {
 /// Half the longest time in which one speed passes to the next. [s] of video
 inline constexpr double kHalfPassage = 0.25;
 
-/// The speed of a whole clip, in simulated time over time of video: constant, or 1 but for some
+/// The speed of a whole clip, in simulated time over time of video: constant but for some
 /// stretches.
 struct PlaybackSpeed {
-  double constant = 1;                    ///< > 0; unused where there are stretches.
+  double constant = 1;                    ///< > 0; 1 if stretches are stated.
   std::vector<SpeedStretch> stretches{};  ///< In the order of time, none over another.
 
   /// Returns the speed that is stated for a time of the video, without passages. [s]

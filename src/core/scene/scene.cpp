@@ -11,18 +11,45 @@ namespace rotatebook::scene {
 
 const std::size_t kSceneSize = sizeof(Scene);
 
-bool hasEvenTimes(const Spec& scene) {
-  return !scene.clip.speed || scene.clip.speed->stretches.empty();
+namespace {
+
+const std::optional<PlaybackSpeed>& playbackOf(const Scene& scene) {
+  return scene.schedule ? scene.schedule : scene.clip.speed;
+}
+
+}  // namespace
+
+bool hasEvenTimes(const Scene& scene) {
+  const std::optional<PlaybackSpeed>& speed = playbackOf(scene);
+  return !speed || speed->stretches.empty();
 }
 
 double timeAt(const Scene& scene, double frame) {
   if (hasEvenTimes(scene)) return frame * scene.timePerFrame();
-  return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period(), scene.clip.duration);
+  return playbackOf(scene)->timeAt(frame * scene.clip.frameRate.period(), scene.clip.duration);
 }
 
 double speedAt(const Scene& scene, double frame) {
   const double period = scene.clip.frameRate.period();
-  return scene.clip.speed ? scene.clip.speed->at(frame * period) : scene.timePerFrame() / period;
+  const std::optional<PlaybackSpeed>& speed = playbackOf(scene);
+  return speed ? speed->at(frame * period) : scene.timePerFrame() / period;
+}
+
+std::vector<double> speedsOf(const Scene& scene) {
+  const std::optional<PlaybackSpeed>& speed = playbackOf(scene);
+  if (!speed) return {speedAt(scene, 0)};
+  std::vector<double> speeds{speed->constant};
+  for (const SpeedStretch& stretch : speed->stretches) speeds.push_back(stretch.value);
+  return speeds;
+}
+
+const std::string& captionAt(const Scene& scene, std::int64_t frame) {
+  const std::string* caption = &scene.caption;
+  for (const ShownCue& shown : scene.shownCues) {
+    const std::optional<std::string>& text = scene.cues[shown.cue].text;
+    if (shown.frame <= frame && text) caption = &*text;
+  }
+  return *caption;
 }
 
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion) {

@@ -18,6 +18,7 @@
 #include "scene/expectation.h"
 #include "scene/grid_settings.h"
 #include "scene/map_settings.h"
+#include "scene/moment.h"
 #include "scene/overlays.h"
 #include "scene/playback_speed.h"
 #include "scene/reference_frame.h"
@@ -44,6 +45,17 @@ struct ClipSettings {
   std::int64_t frameCount() const { return frameRate.framesIn(duration); }
 
   friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
+};
+
+/// [[cue]]: what a clip says, does or is called from a moment on.
+struct Cue {
+  Moment at{};
+  /// The caption until the next cue with a text; empty for none. Without it, the one before stays.
+  std::optional<std::string> text{};
+  double hold = 0;        ///< For so long the motion stands. [s] of video
+  std::string chapter{};  ///< Begins one of that name, unless it is empty.
+
+  friend bool operator==(const Cue&, const Cue&) = default;
 };
 
 /// [video]: how the MP4 is encoded.
@@ -167,6 +179,7 @@ struct Spec {
   std::filesystem::path wordsFile;
   std::string title;
   std::string caption;
+  std::vector<Cue> cues;  ///< As they are stated.
   ClipSettings clip;
   EncodingSettings video;
   CameraSettings camera;
@@ -187,6 +200,15 @@ struct Spec {
   friend bool operator==(const Spec&, const Spec&) = default;
 };
 
+/// A cue at its place in a clip.
+struct ShownCue {
+  std::size_t cue = 0;     ///< Its index in Spec::cues.
+  double time = 0;         ///< Of the motion, >= 0. [s]
+  std::int64_t frame = 0;  ///< The first one that shows it; Spec's frameCount() if none does.
+
+  friend bool operator==(const ShownCue&, const ShownCue&) = default;
+};
+
 /// A scene with what follows from its Spec, computed once.
 struct Scene : Spec {
   /// The motions side by side: of the panels, of the grid's cells row by row, or a single one
@@ -194,6 +216,10 @@ struct Scene : Spec {
   std::vector<Panel> motions{Panel{}};
   std::vector<StudyRun> runs;  ///< Of the study, curve by curve, each in the order of the values.
   Eigen::Vector3d cameraPosition{0, 0, 1};  ///< [m]
+  /// The speeds with the holds of cues and the moments of the motion in their places; none where
+  /// clip.speed, or timePerFrame(), says all.
+  std::optional<PlaybackSpeed> schedule{};
+  std::vector<ShownCue> shownCues;  ///< In the order of their times.
   /// Allows textures outside `folder`. Set by whoever reads the scene.
   bool allowOutside = false;
   /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws it.
@@ -213,8 +239,12 @@ bool isTransparent(const Spec& scene);
 double timeAt(const Scene& scene, double frame);
 /// Returns the stated speed of the motion in `frame`, in simulated time over time of video, >= 0.
 double speedAt(const Scene& scene, double frame);
+/// Returns all stated speeds of the clip, each >= 0.
+std::vector<double> speedsOf(const Scene& scene);
+/// Returns the caption that `frame` shows; empty if there is none.
+const std::string& captionAt(const Scene& scene, std::int64_t frame);
 /// Returns whether the times of the clip's frames are even.
-bool hasEvenTimes(const Spec& scene);
+bool hasEvenTimes(const Scene& scene);
 /// Has samples taken of `motion` as `study` asks for, by the same steps.
 void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion);
 /// Returns the number of samples that `study` takes of a motion, >= 1: one for each frame of the

@@ -16,6 +16,7 @@
 #include "scene/names.h"
 #include "scene/resolve.h"
 #include "scene/scene_text.h"
+#include "scene/schedule.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
 
@@ -57,6 +58,11 @@ void noteLocation(const ValueReader& file, std::string_view key, Spec& spec) {
 void noteLocations(const ValueReader& file, Spec& spec) {
   for (const std::string_view key : kLocatedKeys) noteLocation(file, key, spec);
   for (const DependentKey& one : kDependentKeys) noteLocation(file, one.key, spec);
+  if (const auto cues = file.find("cue")) {
+    std::size_t cue = 0;
+    for (const ValueReader& table : cues->tables(""))
+      spec.locations.emplace(cueKey(cue++), table.find("at").value_or(table).node().location);
+  }
   const auto panels = file.find("panel");
   if (!panels) return;
   std::size_t panel = 0;
@@ -115,7 +121,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
 
   // Find what follows
   Scene scene = resolve(std::move(spec), file, meshes);
-  if (readNamedFile) readMotionFiles(scene, readNamedFile);
+  readNamedFile ? readMotionFiles(scene, readNamedFile) : schedule(scene);
   return scene;
 }
 

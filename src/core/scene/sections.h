@@ -29,6 +29,8 @@ std::span<const Section<Motion>> motionSections();
 /// Returns the sections about how a scene shows its motions. Left to the caller is the default of
 /// camera.position, which depends on [body] and [clip].
 std::span<const Section<Spec>> pictureSections();
+/// Returns [[cue]], one of these.
+Section<Spec> cueSection();
 
 /// Returns the line of simulation.time_per_frame.
 std::string timePerFrameLine(const physics::SimulationSettings& settings, const Printed& printed);

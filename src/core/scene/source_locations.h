@@ -12,11 +12,11 @@
 
 namespace rotatebook::scene {
 
-/// The keys that Spec::locations may have, sections before a dot, besides those of labelKey()
-/// and recordingKey() and kDependentKeys.
+/// The keys that Spec::locations may have, sections before a dot, besides those of labelKey(),
+/// cueKey(), recordingKey() and kDependentKeys.
 inline constexpr std::string_view kLocatedKeys[] = {
-    "title",      "caption",    "body",      "panel",        "grid",
-    "book.front", "book.spine", "book.back", "overlay.font", "simulation.file"};
+    "title",      "caption",   "body",         "panel",           "grid",      "book.front",
+    "book.spine", "book.back", "overlay.font", "simulation.file", "clip.speed"};
 
 /// A key whose default depends on the value of another.
 struct DependentKey {
@@ -32,6 +32,11 @@ inline constexpr DependentKey kDependentKeys[] = {{"simulation.integrator", "sim
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {
   return "panel." + std::to_string(panel) + ".label";
+}
+
+/// Returns the key of the time of that cue: "cue.0.at".
+inline std::string cueKey(std::size_t cue) {
+  return "cue." + std::to_string(cue) + ".at";
 }
 
 /// Returns the key of that panel's own recording: "panel.0.simulation.file".

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "scene/names.h"
+#include "scene/schedule.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -21,7 +22,7 @@ struct Sampling {
 
 Sampling samplingOf(const Scene& scene) {
   const auto frames = static_cast<double>(scene.clip.frameCount());
-  return {frames, timeAt(scene, frames), hasEvenTimes(scene)};
+  return {frames, longestMotion(scene), hasEvenTimes(scene) && scene.cues.empty()};
 }
 
 /// Returns the steps of a motion. For a sample between two runs of EqualSteps, as much as another

@@ -1,29 +1,18 @@
 #include "timeline/clip_events.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
 
 namespace rotatebook::timeline {
 namespace {
 
-constexpr std::array<std::string_view, 10> kOrdinals{
-    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth"};
-
-/// Returns "third", or "11th", "22nd".
-std::string ordinal(int count) {
-  const auto index = static_cast<std::size_t>(count - 1);
-  if (index < kOrdinals.size()) return std::string(kOrdinals[index]);
-  const int last = count / 10 % 10 == 1 ? 0 : count % 10;
-  const char* ending = last == 1 ? "st" : last == 2 ? "nd" : last == 3 ? "rd" : "th";
-  return std::to_string(count) + ending;
-}
+using scene::Word;
 
 /// The events of one motion, as they are found.
 class Listener {
  public:
-  Listener(const scene::Panel& panel, const physics::Trajectory& trajectory, std::int64_t frames)
-      : panel_(panel), trajectory_(trajectory), frames_(frames) {}
+  Listener(const scene::Panel& panel, const physics::Trajectory& trajectory, std::int64_t frames,
+           const scene::Words& words)
+      : panel_(panel), trajectory_(trajectory), frames_(frames), words_(words) {}
 
   std::vector<ClipEvent> listen() {
     const auto& samples = trajectory_.samples;
@@ -31,21 +20,27 @@ class Listener {
       addNudges(samples[i - 1].time, samples[i].time, i);
       // Twice within a frame is one event, with the count after it.
       if (samples[i].halfTurns == samples[i - 1].halfTurns) continue;
-      add(i, samples[i].time, "turned over, " + ordinal(samples[i].halfTurns) + " time");
+      add(i, samples[i].time, numbered(Word::Flip, samples[i].halfTurns));
     }
     if (trajectory_.divergedAt) {
-      add(samples.size(), *trajectory_.divergedAt, "flew apart");
+      add(samples.size(), *trajectory_.divergedAt, words_[Word::Burst]);
     } else if (samples.back().halfTurns == 0) {
-      add(samples.size() - 1, samples.back().time, "hasn’t turned over");
+      add(samples.size() - 1, samples.back().time, words_[Word::NoFlip]);
     }
     return events_;
   }
 
  private:
   void addNudges(double after, double until, std::size_t frame) {
+    int number = 0;
     for (const physics::Nudge& nudge : panel_.nudges) {
-      if (nudge.at > after && nudge.at <= until) add(frame, nudge.at, "nudged");
+      ++number;
+      if (nudge.at > after && nudge.at <= until)
+        add(frame, nudge.at, numbered(Word::Nudge, number));
     }
+  }
+  std::string numbered(Word word, int number) const {
+    return words_[word] + " " + std::to_string(number);
   }
   void add(std::size_t frame, double time, const std::string& what) {
     events_.push_back(
@@ -55,6 +50,7 @@ class Listener {
   const scene::Panel& panel_;
   const physics::Trajectory& trajectory_;
   std::int64_t frames_;
+  const scene::Words& words_;
   std::vector<ClipEvent> events_;
 };
 
@@ -62,10 +58,12 @@ class Listener {
 
 std::vector<ClipEvent> eventsOf(const scene::Scene& scene, const ClipMotion& motion) {
   std::vector<ClipEvent> events;
+  if (scene.grid) return events;
   const std::vector<scene::Panel>& panels = scene.motions;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const std::vector<ClipEvent> own =
-        Listener(panels[i], motion.trajectories()[i], motion.frameCount()).listen();
+        Listener(panels[i], motion.trajectories()[i], motion.frameCount(), scene.overlay.words)
+            .listen();
     events.insert(events.end(), own.begin(), own.end());
   }
   std::ranges::stable_sort(events, {}, &ClipEvent::frame);

@@ -149,8 +149,7 @@ std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
       .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .addInteger("frames", motion.frameCount())
       .add("motions", jsonArrayOf(summaries, motionJson))
-      .add("events",
-           jsonArrayOf(scene.grid ? std::vector<ClipEvent>{} : eventsOf(scene, motion), eventJson))
+      .add("events", jsonArrayOf(eventsOf(scene, motion), eventJson))
       .add("plots", plotsJson(scene, motion))
       .text();
 }

@@ -15,14 +15,6 @@ bool MotionSummary::met() const {
   return !divergesUnexpectedly && std::ranges::all_of(expectations, &scene::ExpectationResult::met);
 }
 
-double halfTurnTime(const Sample& before, const Sample& sample) {
-  const double passed =
-      sample.tiltDeg > before.tiltDeg ? physics::kFarTiltDeg : physics::kNearTiltDeg;
-  const double share = (passed - before.tiltDeg) / (sample.tiltDeg - before.tiltDeg);
-  const bool isBetween = share >= 0 && share <= 1 && sample.halfTurns == before.halfTurns + 1;
-  return isBetween ? before.time + share * (sample.time - before.time) : sample.time;
-}
-
 std::vector<double> flipsOf(const physics::Trajectory& trajectory) {
   std::vector<double> flips;
   const Sample* before = &trajectory.samples.front();

@@ -36,12 +36,7 @@ struct MotionSummary {
   bool met() const;
 };
 
-/// Returns when the half-turn between two neighbouring samples was made: the tilt passed 120
-/// degrees, or 60 on its way back. Interpolates linearly; returns the later sample's time if there
-/// were several half-turns, or the tilts don't say. [s]
-double halfTurnTime(const physics::Sample& before, const physics::Sample& sample);
-
-/// Returns the times of all half-turns by halfTurnTime(), ascending. [s]
+/// Returns the times of all half-turns by physics::halfTurnTime(), ascending. [s]
 std::vector<double> flipsOf(const physics::Trajectory& trajectory);
 
 /// Returns what `trajectory`, simulated from `motion`, did.

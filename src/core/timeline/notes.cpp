@@ -123,6 +123,12 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
                     roundedText(end, kDigits) + " s");
     }
   }
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    if (shown.frame < scene.clip.frameCount()) continue;
+    all.push_back("cue." + std::to_string(shown.cue) + " is at " +
+                  roundedText(shown.time, kDigits) +
+                  " s of the motion, after the end of the clip, which never shows it");
+  }
   if (scene.clip.poster && *scene.clip.poster > scene.clip.duration) {
     all.push_back("clip.poster is at " + roundedText(*scene.clip.poster, kDigits) +
                   " s, after the end of the clip, which lasts " +

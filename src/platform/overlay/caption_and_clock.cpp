@@ -4,8 +4,10 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -101,16 +103,6 @@ std::string settingsText(const scene::Scene& scene) {
   return joined({joined(common), steplessText(motions, words)}, "; ");
 }
 
-/// Returns all stated speeds of a clip.
-std::vector<double> speedsOf(const scene::Scene& scene) {
-  std::vector<double> speeds{scene::speedAt(scene, 0)};
-  if (!scene.clip.speed || scene.clip.speed->stretches.empty()) return speeds;
-  speeds.push_back(1);
-  for (const scene::SpeedStretch& stretch : scene.clip.speed->stretches)
-    speeds.push_back(stretch.value);
-  return speeds;
-}
-
 /// Returns what a clock says of a speed other than 1: "  0.2×".
 std::string speedMark(double speed, const scene::Words& words) {
   constexpr double kWhole = 100;  // From there on without decimals, and so without an exponent.
@@ -137,6 +129,7 @@ Layer shade(int width, int height, int y, int rise) {
 struct Line {
   Layer text;
   int top;
+  bool isCaption = false;
 };
 
 /// Throws InputError if the text leaves too little of the picture for the book.
@@ -162,6 +155,7 @@ struct CaptionAndClock::Parts {
         scale(asked.clip.width, asked.clip.height, asked.overlay.scale),
         margin(static_cast<int>(std::lround(scale.margin))),
         type(Typesetter::of(asked)),
+        captionStyle{.size = scale.letters, .colour = kWhite, .opacity = 0.95, .halo = scale.halo},
         clockStyle{.size = scale.letters,
                    .colour = kWhite,
                    .opacity = 0.92,
@@ -171,9 +165,8 @@ struct CaptionAndClock::Parts {
                  type.isReadFromTheRight(asked.title.empty() ? asked.caption : asked.title)) {
     const bool below = shows(scene, scene::Overlay::Clock) && position == ClockPosition::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
-    std::vector<Line> lines;
     if (shows(scene, scene::Overlay::Caption) || shows(scene, scene::Overlay::Settings)) {
-      lines = captionLines(below ? static_cast<int>(clock.width) + margin : 0);
+      setLines(below ? static_cast<int>(clock.width) + margin : 0);
     }
     if (below) {
       clock.x = mirrored ? margin : scale.width - margin - clock.width;
@@ -181,7 +174,6 @@ struct CaptionAndClock::Parts {
     }
     if (!lines.empty()) {
       addShade(lines.front().top);
-      addLines(lines);
     } else if (below) {
       addShade(static_cast<int>(clock.y));
     }
@@ -190,9 +182,8 @@ struct CaptionAndClock::Parts {
   /// Sets title, caption and settings, one below the other, down to the picture's lower margin;
   /// the first is `narrower` than the others. [pixels] A small picture goes without the last ones
   /// that would be in its upper half.
-  std::vector<Line> captionLines(int narrower) const {
+  void setLines(int narrower) {
     const int room = std::min(textWidth(), static_cast<int>(kLongestLine * scale.letters));
-    std::vector<Line> lines;
     const auto add = [&](std::string_view key, const std::string& text, const TextStyle& style) {
       if (text.empty()) return;
       const int width = lines.empty() ? std::min(room, textWidth() - narrower) : room;
@@ -204,25 +195,43 @@ struct CaptionAndClock::Parts {
     if (shows(scene, scene::Overlay::Caption)) {
       add("title", scene.title,
           {.size = titleSize, .bold = true, .colour = kWhite, .halo = scale.halo});
-      add("caption", scene.caption,
-          {.size = scale.letters, .colour = kWhite, .opacity = 0.95, .halo = scale.halo});
+      addCaption(lines.empty() ? std::min(room, textWidth() - narrower) : room);
     }
     if (shows(scene, scene::Overlay::Settings)) {
       add("", settingsText(scene),
           {.size = settingsSize, .colour = kWhite, .opacity = 0.85, .halo = scale.halo});
     }
 
-    place(lines);
+    placeLines();
     if (!lines.empty()) refuseTooMany(lines, scene);
     while (!lines.empty() && scale.height - lines.front().top > scale.height / 2) {
       lines.pop_back();
-      place(lines);
+      placeLines();
     }
-    return lines;
+  }
+
+  /// Adds the tallest of the clip's captions, each of which is `width` wide at most. [pixels]
+  void addCaption(int width) {
+    captionWidth = width;
+    const int twoLines = type.measure("x\nx", captionStyle, width).height;
+    Layer tallest;
+    const auto take = [&](const std::string& key, const std::string& text) {
+      if (text.empty()) return;
+      Layer drawn =
+          scene::atLocationOf(scene, key, [&] { return type.draw(text, captionStyle, width); });
+      if (drawn.height > tallest.height) tallest = std::move(drawn);
+    };
+    if (&captionAt(scene, 0) == &scene.caption) take("caption", scene.caption);
+    for (std::size_t i = 0; i < scene.cues.size(); ++i) {
+      const std::string text = scene.cues[i].text.value_or("");
+      take(scene::cueKey(i), text);
+      if (type.measure(text, captionStyle, width).height > twoLines) longCues.push_back(i);
+    }
+    if (tallest.height > 0) lines.push_back({std::move(tallest), 0, true});
   }
 
   /// Puts the lines one below the other, the last at the lower margin.
-  void place(std::vector<Line>& lines) const {
+  void placeLines() {
     const int gap = static_cast<int>(std::lround(0.45 * scale.letters));
     int bottom = scale.height - margin;
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
@@ -241,13 +250,31 @@ struct CaptionAndClock::Parts {
     background = shade(scale.width, scale.height - shadeTop, shadeTop, std::max(1, top - shadeTop));
   }
 
-  void addLines(const std::vector<Line>& lines) {
+  /// Draws the lines with that caption.
+  CachedLayer written(const std::string& text) const {
     Canvas canvas(scale.width, scale.height, Ink(scene));
+    const auto write = [&](const Layer& layer, int top) {
+      const double left = mirrored ? scale.width - margin - boxOf(layer).width : margin;
+      canvas.write(layer, {left, 1.0 * top});
+    };
     for (const Line& line : lines) {
-      const double left = mirrored ? scale.width - margin - boxOf(line.text).width : margin;
-      canvas.write(line.text, {left, 1.0 * line.top});
+      if (!line.isCaption) {
+        write(line.text, line.top);
+      } else if (!text.empty()) {
+        write(type.draw(text, captionStyle, captionWidth), line.top);
+      }
     }
-    caption = canvas.take();
+    return canvas.take();
+  }
+
+  /// Returns the lines as `frame` shows them. They stay the same from one cue to the next.
+  const CachedLayer& captionOf(std::int64_t frame) {
+    const std::string& text = captionAt(scene, frame);
+    if (shownText != text) {
+      caption = written(text);
+      shownText = text;
+    }
+    return caption;
   }
 
   std::string timeAt(std::int64_t frame) const {
@@ -262,7 +289,7 @@ struct CaptionAndClock::Parts {
     const auto frames = static_cast<double>(scene.clip.frameCount());
     const std::string time = "t = " + clockText(scene::timeAt(scene, frames), words);
     Box box{1.0 * margin, 1.0 * margin, 0, 0};
-    for (const double speed : speedsOf(scene)) {
+    for (const double speed : scene::speedsOf(scene)) {
       const TextSize size = type.measure(time + speedMark(speed, words), clockStyle, textWidth());
       box.width = std::max(box.width, 1.0 * size.width);
       box.height = std::max(box.height, 1.0 * size.height);
@@ -277,11 +304,15 @@ struct CaptionAndClock::Parts {
   Scale scale;
   int margin;  // [pixels]
   Typesetter type;
-  TextStyle clockStyle;
-  bool mirrored;        // The lines begin at the right, and the clock at the bottom is on the left.
-  Layer background;     // below the text at the bottom
-  CachedLayer caption;  // the same in every frame
-  Box clock;            // empty if it isn't shown
+  TextStyle captionStyle, clockStyle;
+  bool mirrored;     // The lines begin at the right, and the clock at the bottom is on the left.
+  Layer background;  // below the text at the bottom
+  std::vector<Line> lines;
+  int captionWidth = 0;                  // at most [pixels]
+  std::optional<std::string> shownText;  // what `caption` has been drawn with
+  CachedLayer caption;                   // the lines
+  std::vector<std::size_t> longCues;
+  Box clock;  // empty if it isn't shown
   int bottomRows = 0;
   std::vector<Box> texts;
 };
@@ -298,12 +329,18 @@ Box CaptionAndClock::corner() const {
   return parts_->position == ClockPosition::TopLeft ? parts_->clock : Box{};
 }
 
-void CaptionAndClock::draw(std::int64_t frame, image::Image& picture) {
+const std::vector<std::size_t>& CaptionAndClock::longCues() const {
+  return parts_->longCues;
+}
+
+void CaptionAndClock::draw(std::int64_t frame, std::int64_t clockFrame, image::Image& picture) {
   blend(parts_->background, picture);
-  blend(parts_->caption.layer, picture);
-  parts_->texts = parts_->caption.texts;
+  const CachedLayer& caption = parts_->captionOf(frame);
+  blend(caption.layer, picture);
+  parts_->texts = caption.texts;
   if (parts_->clock.empty()) return;
-  Layer clock = parts_->type.draw(parts_->timeAt(frame), parts_->clockStyle, parts_->textWidth());
+  Layer clock =
+      parts_->type.draw(parts_->timeAt(clockFrame), parts_->clockStyle, parts_->textWidth());
   parts_->texts.push_back(boxOf(clock, {parts_->clock.x, parts_->clock.y}));
   clock.x += static_cast<int>(parts_->clock.x);
   clock.y += static_cast<int>(parts_->clock.y);

@@ -1,6 +1,7 @@
 // Draws the caption and the clock over the pictures of a clip.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -11,10 +12,11 @@
 
 namespace rotatebook::overlay {
 
-/// Draws the caption and the clock over the pictures of one clip, if its scene shows them. Use it
-/// on one thread. Letters are a share of the picture's height, but never too small to read. In a
-/// picture of fewer than 360 rows, settings, caption and title are left out, in this order, as far
-/// as they would take more than half of it.
+/// Draws the caption and the clock over the pictures of one clip, if its scene shows them. All
+/// captions of a clip have the room of the tallest one. Use it on one thread. Letters are a share
+/// of the picture's height, but never too small to read. In a picture of fewer than 360 rows,
+/// settings, caption and title are left out, in this order, as far as they would take more than
+/// half of it.
 class CaptionAndClock {
  public:
   enum class ClockPosition {
@@ -32,8 +34,12 @@ class CaptionAndClock {
   int bottomRows() const;
   /// Returns the box of the clock at the top left; empty if it isn't there. [pixels]
   Box corner() const;
+  /// Returns the cues, by their index, whose texts take more than two lines.
+  const std::vector<std::size_t>& longCues() const;
   /// Draws over `picture`, of the clip's size, which shows frame `frame`.
-  void draw(std::int64_t frame, image::Image& picture);
+  void draw(std::int64_t frame, image::Image& picture) { draw(frame, frame, picture); }
+  /// Draws likewise, with the clock of `clockFrame`.
+  void draw(std::int64_t frame, std::int64_t clockFrame, image::Image& picture);
 
   /// Returns a box for each text that the last draw() drew. [pixels]
   const std::vector<Box>& texts() const;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/frame_rate.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::video {
 
@@ -20,6 +21,7 @@ struct WrittenForm {
   int crf = 18;              ///< MP4: VideoSettings::crf
   /// MP4: VideoSettings::preset; if empty, the settings in the encoder's note aren't compared.
   std::string preset{};
+  std::vector<Chapter> chapters{};  ///< MP4: VideoSettings::chapters
 };
 
 /// The coded pictures of a file and its texts, as FFmpeg reads them.

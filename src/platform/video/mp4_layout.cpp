@@ -9,13 +9,14 @@
 
 #include "base/clip_parts.h"
 #include "video/layout.h"
+#include "video/mp4_chapters.h"
 
 namespace rotatebook::video {
 namespace {
 
-/// All boxes in their order, with all their fields. Measured on libavformat 59.27 and 62.19, which
-/// write the same but for the duration in mdhd; of 62.19, the tables of samples and btrt are as its
-/// source has them.
+/// All boxes in their order, with all their fields; all but chpl are the muxer's. Measured on
+/// libavformat 59.27 and 62.19, which write the same but for the duration in mdhd; of 62.19, the
+/// tables of samples and btrt are as its source has them.
 constexpr std::array kMp4Rows{
     LayoutRow{0, "ftyp", 1, 1, "69736f6d 00000200 69736f6d 69736f32 61766331 6d703431"},
     LayoutRow{0, "moov"},
@@ -59,6 +60,7 @@ constexpr std::array kMp4Rows{
     LayoutRow{5, "data", 1, 1, "00000001 00000000 title"},
     LayoutRow{4, "\251cmt", 1, 1, "", "comment"},
     LayoutRow{5, "data", 1, 1, "00000001 00000000 comment"},
+    LayoutRow{2, "chpl", 0, 1, "chapters"},
     LayoutRow{0, "free", 0, 1, ""},  // None where the pictures have 4 GB.
     LayoutRow{0, "mdat", 1, 1, "payload"}};
 
@@ -185,7 +187,8 @@ LayoutValues valuesOf(const WrittenForm& form, const Payload& payload, std::uint
                     {"chunks", {placesOf(chunks, begin, 4)}},
                     {"long_chunks", {placesOf(chunks, begin, 8)}},
                     {"title", {payload.title}},
-                    {"comment", {payload.comment}}}};
+                    {"comment", {payload.comment}},
+                    {"chapters", {chapterList(form.chapters, form.frameRate)}}}};
 }
 
 /// Like mp4Box(); nothing if the box doesn't state its size as the muxer does.
@@ -208,6 +211,7 @@ std::string mp4Difference(std::istream& file, const WrittenForm& form, const Pay
   // The muxer lists key frames where not all frames are, and delays where there are some.
   demand("stss", payload.keys.size() < payload.sizes.size());
   demand("ctts", std::ranges::any_of(payload.delays, [](auto delay) { return delay > 0; }));
+  demand("chpl", !form.chapters.empty());
   const LayoutValues values = valuesOf(form, payload, beginOfSamples(file));
   return differenceFrom(rows, values, file, writtenBox, PartOrder::AsRows);
 }

@@ -1,5 +1,7 @@
 #include "video/muxer.h"
 
+#include "video/mp4_chapters.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -38,7 +40,9 @@ Muxer::Muxer(const std::filesystem::path& path, VideoFormat format, const Stages
              const VideoSettings& settings)
     : path_(path.string()),
       encoderTimeBase_(stages.encoder.context().time_base),
-      context_(makeContext(path, format)) {
+      context_(makeContext(path, format)),
+      frameRate_(settings.frameRate) {
+  if (format == VideoFormat::Mp4) chapters_ = settings.chapters;
   context_->flags |= AVFMT_FLAG_BITEXACT;
   addStream(*context_, stages.encoder.context());
   addMetadata(*context_, settings);
@@ -57,6 +61,7 @@ void Muxer::write(AVPacket& packet) {
 void Muxer::finish() {
   checkFile(av_write_trailer(context_.get()));
   checkFile(avio_closep(&context_->pb));
+  addChapters(path_, chapters_, frameRate_);
 }
 
 int Muxer::checkFile(int result) const {

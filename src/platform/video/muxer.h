@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "video/ffmpeg.h"
 #include "video/stages.h"
@@ -21,7 +22,8 @@ class Muxer {
   /// MachineError.
   void write(AVPacket& packet);
 
-  /// Writes the index, moves it to the front and closes the file. Throws MachineError.
+  /// Writes the index, with an MP4's chapters, moves it to the front and closes the file. Throws
+  /// MachineError.
   void finish();
 
  private:
@@ -30,6 +32,8 @@ class Muxer {
   std::string path_;
   AVRational encoderTimeBase_;
   Handle<AVFormatContext> context_;
+  std::vector<Chapter> chapters_;
+  FrameRate frameRate_;
 };
 
 }  // namespace rotatebook::video

@@ -1,8 +1,10 @@
 // The settings of a video.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/clip_limits.h"
 #include "base/frame_rate.h"
@@ -15,6 +17,14 @@ inline constexpr int kSmallestSide = 16;
 /// Preset of clips that are coded anew for the web, at a rate factor that their record doesn't
 /// have.
 inline constexpr std::string_view kWebPreset = "slow";
+
+/// A chapter of a video.
+struct Chapter {
+  std::int64_t frame = 0;  ///< Its first.
+  std::string name;        ///< UTF-8.
+
+  friend bool operator==(const Chapter&, const Chapter&) = default;
+};
 
 /// Everything that the bytes of a video depend on beside its format and pictures.
 struct VideoSettings {
@@ -30,6 +40,7 @@ struct VideoSettings {
   std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
   /// Stored in the metadata of MP4 and WebM; UTF-8. rotatebook stores the resolved scene.
   std::string comment;
+  std::vector<Chapter> chapters;  ///< MP4; the first kMostChapters of them, in their order.
 };
 
 }  // namespace rotatebook::video

@@ -11,6 +11,7 @@
 #include "store/clip_record.h"
 #include "system/read_file.h"
 #include "video/clip_reader.h"
+#include "video/written_form.h"
 
 namespace rotatebook::page {
 namespace {
@@ -23,16 +24,16 @@ using testing::makeClip;
 using ::testing::Not;
 using testing::smallScene;
 
-Figure packedFigure(const fs::path& folder) {
-  return readFigure(smallScene(), folder, {.isPacked = true});
+Figure packedFigure(const fs::path& folder, const scene::Scene& scene = smallScene()) {
+  return readFigure(scene, folder, {.isPacked = true});
 }
 
 /// Leaves a clip in a folder and packs it into another, which is returned.
-fs::path packedFolder(int crf) {
+fs::path packedFolder(int crf, const scene::Scene& scene = smallScene()) {
   const fs::path folder = emptyFolder();
   const fs::path target = folder / "site";
-  makeClip(smallScene(), folder);
-  writePack({packedFigure(folder)}, "the page", {folder, target, crf});
+  makeClip(scene, folder);
+  writePack({packedFigure(folder, scene)}, "the page", {folder, target, crf});
   return target;
 }
 
@@ -53,6 +54,18 @@ TEST(Pack, KeepsTheRecordAndEachPicture) {
   }
   EXPECT_FALSE(packed.next());
   EXPECT_EQ(pictures, 2);
+}
+
+TEST(Pack, KeepsChapters) {
+  const scene::Scene scene = smallScene({"cue=[{ chapter = 'The start' }]"});
+  const fs::path clip = packedFolder(kPackCrf, scene) / "small.mp4";
+  EXPECT_EQ(video::differencesFromWritten(clip, {.width = scene.clip.width,
+                                                 .height = scene.clip.height,
+                                                 .frameRate = scene.clip.frameRate,
+                                                 .frames = 2,
+                                                 .chapters = {{0, "The start"}}})
+                .container,
+            "");
 }
 
 TEST(Pack, GivesTheSameBytesAgainAndOthersAtAnotherRate) {

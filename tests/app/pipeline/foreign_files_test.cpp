@@ -137,6 +137,18 @@ TEST_F(ForeignFiles, AreReportedWhereTheyReplacedAnOutput) {
               ElementsAre((folder_ / "small.csv").string() + store::kUnknownSettings));
 }
 
+TEST_F(ForeignFiles, AreCaptionsOfOthers) {
+  const scene::Scene scene = smallScene({"cue=[{ at = 0.2, text = 'Now' }]"});
+  render({}, scene);
+  fs::remove_all(folder_ / "small");  // No manifest tells whose they are
+  render({}, scene);
+  write("small.vtt");
+  EXPECT_THAT(failureOf({}, scene), HasSubstr("small.vtt was left by no render"));
+  EXPECT_EQ(bytesOf(folder_ / "small.vtt"), "mine");
+  render({});
+  EXPECT_EQ(bytesOf(folder_ / "small.vtt"), "mine") << "the scene has no cues";
+}
+
 TEST_F(ForeignFiles, AreFoldersInTheWayFoundBeforeTheFirstFrame) {
   const auto failure = [&] { return messageOf<MachineError>([&] { renderVideo(); }); };
   fs::create_directories(folder_ / "small.partial.mp4/more");

@@ -27,6 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using rotatebook::testing::sameBytes;
 using testing::bytesOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
@@ -63,6 +64,22 @@ TEST(RenderClip, LeavesItsFilesAndNoOthers) {
   EXPECT_EQ(result.files.video(video::VideoFormat::Mp4), folder / "small.mp4");
   EXPECT_EQ(result.files.csv, folder / "small.csv");
   EXPECT_EQ(result.files.frameFolder, folder / "small");
+}
+
+TEST(RenderClip, LeavesCaptionsAndChaptersOfItsCues) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene(
+      {"cue=[{ text = 'Wait', chapter = 'Start' }, { at = 0.2, text = 'Now', hold = 0.1, chapter = "
+       "'Nudged' }]",
+       "nudge=[{ at = 0.1, angular_velocity = [0, 0, 1] }]"});
+  const RenderResult result = testing::render(scene, pngAndMp4(folder));
+  EXPECT_EQ(bytesOf(folder / "small.vtt"),
+            "WEBVTT rotatebook\n\n00:00:00.000 --> 00:00:00.250 line:0\nWait\n\n"
+            "00:00:00.000 --> 00:00:00.500 line:0\n0.10 s: nudge 1\n\n"
+            "00:00:00.000 --> 00:00:00.500 line:0\n0.36 s: no flip\n\n"
+            "00:00:00.250 --> 00:00:00.500 line:0\nNow\n");
+  EXPECT_THAT(decodeVideo(folder / "small.mp4").chapters, ElementsAre("0.00 Start", "0.25 Nudged"));
+  EXPECT_THAT(store::outputFiles(result.files, scene, {}), Contains(folder / "small.vtt"));
 }
 
 TEST(RenderClip, MakesItsFolders) {

@@ -92,12 +92,13 @@ TEST(SceneReader, NamesTheNearestSectionOrKey) {
 }
 
 TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
-  EXPECT_EQ(errorOf("[sound]"),
-            "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
-            "\"simulation\", \"initial\", \"nudge\", \"clip\", \"video\", \"camera\", \"book\", "
-            "\"look\", "
-            "\"overlay\", "
-            "\"expect\", \"panel\", \"grid\", \"study\" and \"map\"");
+  EXPECT_EQ(
+      errorOf("[sound]"),
+      "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
+      "\"simulation\", \"initial\", \"nudge\", \"clip\", \"video\", \"cue\", \"camera\", \"book\", "
+      "\"look\", "
+      "\"overlay\", "
+      "\"expect\", \"panel\", \"grid\", \"study\" and \"map\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
             "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\", "
             "\"inertia\", \"shape\", \"dimensions\", \"mesh\", \"unit\", \"density\" and \"part\"");

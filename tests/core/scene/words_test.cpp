@@ -95,7 +95,7 @@ TEST(Words, HaveADecimalMarkThatLeavesNumbersWhatTheyAre) {
 }
 
 TEST(Words, ThatAreUnknownAreRefused) {
-  EXPECT_THAT(refusalOf("{ 'Flip' = 'Retournements' }"), HasSubstr("did you mean \"Flips\""));
+  EXPECT_THAT(refusalOf("{ 'Polhodes' = 'Polhodie' }"), HasSubstr("did you mean \"Polhode\""));
   const char* expected = "overlay.words must be \"english\", \"german\", a table of words";
   for (const char* words : {"'germann'", "3", "'french'"}) {
     EXPECT_THAT(refusalOf(words), HasSubstr(expected)) << words;

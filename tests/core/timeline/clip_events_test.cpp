@@ -42,13 +42,13 @@ std::vector<std::string> eventsOf(const scene::Scene& scene,
 
 TEST(ClipEvents, TellOfEachHalfTurn) {
   EXPECT_THAT(eventsOf({}, {turning({0, 0, 1, 1, 2})}),
-              ElementsAre("2 0.2 turned over, first time", "4 0.4 turned over, second time"));
+              ElementsAre("2 0.2 flip 1", "4 0.4 flip 2"));
   EXPECT_THAT(eventsOf({}, {turning({20, 21, 111})}),
-              ElementsAre("1 0.1 turned over, 21st time", "2 0.2 turned over, 111th time"));
+              ElementsAre("1 0.1 flip 21", "2 0.2 flip 111"));
 }
 
 TEST(ClipEvents, TellWhenNothingTurnsOver) {
-  EXPECT_THAT(eventsOf({}, {turning({0, 0, 0})}), ElementsAre("2 0.2 hasn’t turned over"));
+  EXPECT_THAT(eventsOf({}, {turning({0, 0, 0})}), ElementsAre("2 0.2 no flip"));
 }
 
 TEST(ClipEvents, TellOfNudgesAndTheEnd) {
@@ -56,7 +56,9 @@ TEST(ClipEvents, TellOfNudgesAndTheEnd) {
   scene.motions[0].nudges.push_back({.at = 0.15});
   physics::Trajectory motion = turning({0, 0, 0});
   motion.divergedAt = 0.3;
-  EXPECT_THAT(eventsOf(scene, {motion}), ElementsAre("2 0.15 nudged", "3 0.3 flew apart"));
+  EXPECT_THAT(eventsOf(scene, {motion}), ElementsAre("2 0.15 nudge 1", "3 0.3 burst"));
+  scene.overlay.words = scene::germanWords();
+  EXPECT_THAT(eventsOf(scene, {motion}), ElementsAre("2 0.15 Stoß 1", "3 0.3 auseinandergeflogen"));
 }
 
 TEST(ClipEvents, NameTheMotionsOfAComparison) {
@@ -64,9 +66,8 @@ TEST(ClipEvents, NameTheMotionsOfAComparison) {
   scene.motions.resize(2);
   scene.motions[0].label = "one";
   scene.motions[1].label = "two";
-  EXPECT_THAT(
-      eventsOf(scene, {turning({0, 0, 1}), turning({0, 1, 1})}),
-      ElementsAre("1 0.1 two: turned over, first time", "2 0.2 one: turned over, first time"));
+  EXPECT_THAT(eventsOf(scene, {turning({0, 0, 1}), turning({0, 1, 1})}),
+              ElementsAre("1 0.1 two: flip 1", "2 0.2 one: flip 1"));
 }
 
 TEST(ClipEvents, AreOfTheMotionThatTheClipShows) {
@@ -76,8 +77,7 @@ TEST(ClipEvents, AreOfTheMotionThatTheClipShows) {
       "scenes/a.toml");
   // At half the speed, 2.45 s of the motion are 4.9 s of the clip.
   const ClipMotion motion = simulateScene(scene);
-  EXPECT_THAT(eventsOf(scene, motion.trajectories()),
-              ElementsAre("49 2.45 turned over, first time"));
+  EXPECT_THAT(eventsOf(scene, motion.trajectories()), ElementsAre("49 2.45 flip 1"));
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ const std::map<std::string, std::string> kOwnValues{
     {"simulation.remove_drift", "{ every = 7 }"},
     {"simulation.particles", "'equimomental'"},
     {"initial.tilt", "[0.3, 'y']"},
+    {"cue.N.at", "0.1"},
     {"clip.size", "[64, 36]"},
     {"clip.fps", "24"},
     {"clip.speed", "0.5"},
@@ -74,7 +75,8 @@ std::vector<std::string> valuesFor(const KeyRow& row) {
 scene::Scene sceneOf(const std::string& model, const std::vector<std::string>& more) {
   const std::string text = "simulation.model = '" + model +
                            "'\nclip.duration = 0.2\noverlay.show = []\n"
-                           "[[nudge]]\nat = 0.1\nangular_velocity = [1, 2, 3]\n"
+                           "[[cue]]\nat = 0.05\ntext = 'a'\nhold = 0.05\n[[nudge]]\nat = "
+                           "0.1\nangular_velocity = [1, 2, 3]\n"
                            "[initial]\nangular_velocity = [5, 0.2, 1]\n";
   return scene::parseScene(text, "a.toml", more);
 }

@@ -25,6 +25,15 @@ std::vector<std::string> notesWith(const std::string& settings) {
   return notesOn(sceneWith(settings));
 }
 
+TEST(Notes, TellOfCuesThatAreNeverShown) {
+  EXPECT_THAT(notesOn(scene::parseScene(
+                  "clip.duration = 2\n[initial]\nangular_velocity = [5, 1, 0]\n[[cue]]\nat = 1\n"
+                  "text = 'a'\n[[cue]]\nat = 3\ntext = 'b'\n",
+                  "a.toml")),
+              ElementsAre("cue.1 is at 3 s of the motion, after the end of the clip, which never "
+                          "shows it"));
+}
+
 TEST(Notes, AreNoneOnAnOrdinaryScene) {
   EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.5, \"z\"]\n"),
               IsEmpty());

@@ -1,6 +1,7 @@
 #include "overlay/caption_and_clock.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -122,6 +123,60 @@ TEST(CaptionAndClock, NeverPutTextOnText) {
     EXPECT_LT(above.end, below.first) << size;
     EXPECT_GT(below.first, 0) << size;
   }
+}
+
+/// Texts that come after one second and after two.
+std::vector<std::string> withCues(const std::string& first, const std::string& second) {
+  return {"overlay.show=['caption', 'settings']", "caption=Before", "clip.fps=10",
+          "cue=[{ at = 1, text = '" + first + "' }, { at = 2, text = '" + second + "' }]"};
+}
+
+TEST(CaptionAndClock, ShowEachCaptionUntilTheNext) {
+  const auto with = [](const std::string& caption) {
+    return drawn(sceneWith({"overlay.show=['caption', 'settings']", "caption=" + caption}), 0);
+  };
+  const scene::Scene scene = sceneWith(withCues("Now", ""));
+  EXPECT_EQ(drawn(scene, 9), with("Before"));
+  EXPECT_EQ(drawn(scene, 10), with("Now"));
+  EXPECT_EQ(drawn(scene, 19), with("Now"));
+  // The title and the settings stay where they are.
+  const auto boxesAt = [&](std::int64_t frame) {
+    CaptionAndClock captionAndClock(scene);
+    image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
+    captionAndClock.draw(frame, picture);
+    return captionAndClock.texts();
+  };
+  const std::vector<Box> before = boxesAt(9), without = boxesAt(20);
+  ASSERT_EQ(before.size(), 3U);
+  ASSERT_EQ(without.size(), 2U);
+  EXPECT_EQ(without[0].y, before[0].y);
+  EXPECT_EQ(without[1].y, before[2].y);
+}
+
+// The clock stops with a motion that diverges, and captions go on.
+TEST(CaptionAndClock, FollowTheFrameAndTheMotion) {
+  std::vector<std::string> both = withCues("Now", "Then");
+  both[0] = "overlay.show=['caption', 'clock']";
+  const scene::Scene scene = sceneWith(both);
+  image::Image stopped(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
+  CaptionAndClock(scene).draw(25, 15, stopped);
+  both.emplace_back("cue.0.text=Then");
+  EXPECT_EQ(stopped, drawn(sceneWith(both), 15));
+}
+
+TEST(CaptionAndClock, KeepRoomForTheTallestCaption) {
+  const int one = CaptionAndClock(sceneWith(withCues("Now", "Then"))).bottomRows();
+  const int all = CaptionAndClock(sceneWith(withCues("Now", kLongCaption))).bottomRows();
+  EXPECT_GT(all, one + 50);
+  std::vector<std::string> alone = withCues("Now", "Then");
+  alone[1] = std::string("caption=") + kLongCaption;
+  EXPECT_EQ(CaptionAndClock(sceneWith(alone)).bottomRows(), all);
+  // What is never shown takes no room.
+  alone.emplace_back("cue.0.at=0");
+  EXPECT_EQ(CaptionAndClock(sceneWith(alone)).bottomRows(), one);
+  EXPECT_THAT(CaptionAndClock(sceneWith(withCues("Now", kLongCaption))).longCues(),
+              ElementsAre(1U));
+  EXPECT_THAT(CaptionAndClock(sceneWith(withCues("Now", "Then"))).longCues(), ::testing::IsEmpty());
 }
 
 TEST(CaptionAndClock, SayHowTheMotionWasSimulatedIfAsked) {

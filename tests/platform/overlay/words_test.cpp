@@ -113,6 +113,7 @@ void expectNoOtherWords(scene::Scene scene, std::set<std::string>& seen) {
   scene.overlay.words = markers();
   std::set<std::string> own{scene.title, scene.caption};
   for (const scene::Panel& panel : scene.motions) own.insert(panel.label);
+  for (const scene::Cue& cue : scene.cues) own.insert(cue.text.value_or(""));
   for (const std::string& text : textsOf(scene)) {
     if (own.contains(text)) continue;
     EXPECT_EQ(foreignParts(text), "") << scene.name << ": " << text;
@@ -159,12 +160,14 @@ TEST(Words, OfPicturesAreThoseOfTheTable) {
     }
     expectNoOtherWords(scene, seen);
   }
-  // Each word is on some picture
+  // Each word is on some picture, but for those of events, which are in WebVTT
+  const std::set<std::string_view> ofEvents{"flip", "no flip", "nudge", "burst"};
   const scene::Words words = markers();
   for (std::size_t i = 0; i < words.texts.size(); ++i) {
     const auto has = [&](const std::string& text) {
       return text.find(words.texts[i]) != text.npos;
     };
+    if (ofEvents.contains(scene::kEnglishWords[i])) continue;
     EXPECT_TRUE(std::ranges::any_of(seen, has)) << scene::kEnglishWords[i] << " is nowhere";
   }
 }

@@ -1,7 +1,9 @@
 #include "video/decoded_video.h"
 
 #include <fstream>
+#include <iomanip>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 
 extern "C" {
@@ -43,6 +45,14 @@ DecodedVideo describe(const AVFormatContext& file) {
   const AVDictionaryEntry* entry = nullptr;
   while ((entry = av_dict_get(file.metadata, "", entry, AV_DICT_IGNORE_SUFFIX)) != nullptr) {
     video.metadata[entry->key] = entry->value;
+  }
+  for (unsigned i = 0; i < file.nb_chapters; ++i) {
+    const AVChapter& chapter = *file.chapters[i];
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2)
+         << static_cast<double>(chapter.start) * av_q2d(chapter.time_base) << ' '
+         << textOf(av_dict_get(chapter.metadata, "title", nullptr, 0)->value);
+    video.chapters.push_back(text.str());
   }
   return video;
 }

@@ -37,6 +37,7 @@ struct DecodedVideo {
   std::int64_t frameCount = 0;           ///< As the container says.
   std::int64_t containerDurationUs = 0;  ///< [µs]
   std::map<std::string, std::string> metadata;
+  std::vector<std::string> chapters;  ///< "0.05 Start": from when on [s], and its name.
   std::vector<DecodedFrame> frames;
 };
 

@@ -10,8 +10,11 @@
 #include "pipeline/render_clip.h"
 #include "pipeline/verify/picture_comparison.h"
 #include "pipeline/verify/stream_checks.h"
+#include "store/encoding.h"
+#include "system/read_file.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
+#include "timeline/web_vtt.h"
 #include "video/clip_form.h"
 #include "video/clip_reader.h"
 #include "video/video_writer.h"
@@ -61,6 +64,21 @@ ClipCheck checkMotion(const store::Provenance& there, const std::string& motion)
           motion == there.motion};
 }
 
+/// Checks the captions beside a whole clip whose scene has cues, if they are there.
+std::vector<ClipCheck> checkCaptions(const std::filesystem::path& clip,
+                                     const store::ClipRecord& record,
+                                     const timeline::ClipMotion& motion) {
+  const std::filesystem::path file = std::filesystem::path(clip).replace_extension(".vtt");
+  if (record.scene.cues.empty() || record.part || !std::filesystem::is_regular_file(file))
+    return {};
+  constexpr const char* kWanted = "those of the scene";
+  const std::string wanted =
+      timeline::webVtt(record.scene, timeline::eventsOf(record.scene, motion), motion.frameCount());
+  const bool isSame = system::readFileOrEmpty(file) == wanted;
+  return {{"captions", isSame ? kWanted : "others are in " + file.filename().string(), kWanted,
+           isSame}};
+}
+
 /// Follows the quantisers with which pictures are coded. Decoders report for a block that is copied
 /// the quantiser that its picture states, whatever the block was coded with. Encoders state the
 /// finest in key frames: a picture finer than its key frame is copied for the most part, and may be
@@ -103,6 +121,7 @@ class Verifier {
     found.checks = checkStream(reader_.facts(), record_.scene);
     found.checks.push_back(checkRecord(clip_));
     found.checks.push_back(checkMotion(record_.provenance, motionSum_));
+    std::ranges::copy(checkCaptions(path_, record_, motion_), std::back_inserter(found.checks));
     // Pictures of another size or codec can't be compared, and drawing them may take gigabytes.
     const auto isWrong = [](const ClipCheck& check) {
       return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
@@ -152,13 +171,16 @@ class Verifier {
 
   video::FormDifferences formDifferences(store::FrameRange range) const {
     const scene::Scene& scene = record_.scene;
-    return video::differencesFromWritten(path_, {.width = scene.clip.width,
-                                                 .height = scene.clip.height,
-                                                 .frameRate = scene.clip.frameRate,
-                                                 .frames = range.count(),
-                                                 .transparent = scene::isTransparent(scene),
-                                                 .crf = scene.video.crf,
-                                                 .preset = scene.video.preset});
+    return video::differencesFromWritten(
+        path_,
+        {.width = scene.clip.width,
+         .height = scene.clip.height,
+         .frameRate = scene.clip.frameRate,
+         .frames = range.count(),
+         .transparent = scene::isTransparent(scene),
+         .crf = scene.video.crf,
+         .preset = scene.video.preset,
+         .chapters = record_.part ? std::vector<video::Chapter>{} : store::chaptersOf(scene)});
   }
 
   /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers', or

@@ -38,6 +38,13 @@ double tiltDegOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& spunAxi
   return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
+double halfTurnTime(const Sample& before, const Sample& sample) {
+  const double passed = sample.tiltDeg > before.tiltDeg ? kFarTiltDeg : kNearTiltDeg;
+  const double share = (passed - before.tiltDeg) / (sample.tiltDeg - before.tiltDeg);
+  const bool isBetween = share >= 0 && share <= 1 && sample.halfTurns == before.halfTurns + 1;
+  return isBetween ? before.time + share * (sample.time - before.time) : sample.time;
+}
+
 TiltSide sideOf(double tiltDeg) {
   if (tiltDeg < kNearTiltDeg) return TiltSide::Near;
   return tiltDeg > kFarTiltDeg ? TiltSide::Far : TiltSide::None;

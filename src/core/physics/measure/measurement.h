@@ -45,6 +45,11 @@ inline constexpr double kNearTiltDeg = 60, kFarTiltDeg = 120;
 enum class TiltSide { None, Near, Far };
 TiltSide sideOf(double tiltDeg);
 
+/// Returns when the half-turn between two neighbouring samples was made: the tilt passed 120
+/// degrees, or 60 on its way back. Interpolates linearly; returns the later sample's time if there
+/// were several half-turns, or the tilts don't say. [s]
+double halfTurnTime(const Sample& before, const Sample& sample);
+
 /// Counts how often the tilt goes from under 60 to over 120 degrees or back. The wide gap keeps a
 /// wobble about 90 degrees from counting.
 class HalfTurnCounter {

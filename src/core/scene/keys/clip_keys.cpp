@@ -10,6 +10,7 @@
 #include "base/number_text.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
+#include "scene/keys/moments.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -93,13 +94,23 @@ SpeedStretch stretchFrom(const ValueReader& table) {
   const auto readInto = [](double& number, const NumberRange& range) {
     return [&number, &range](const ValueReader& value) { number = value.number(range); };
   };
-  table.readTable({{"from", readInto(stretch.from, kTimes)},
-                   {"to", readInto(stretch.to, kTimes)},
+  const auto readTime = [](double& time, std::optional<Moment>& moment) {
+    return [&time, &moment](const ValueReader& value) {
+      isOfEvent(value) ? void(moment = momentFrom(value)) : void(time = value.number(kTimes));
+    };
+  };
+  table.readTable({{"from", readTime(stretch.from, stretch.begin)},
+                   {"to", readTime(stretch.to, stretch.end)},
                    {"value", readInto(stretch.value, kStretchSpeeds)}});
   for (const char* key : {"from", "to", "value"}) {
     if (!table.find(key)) table.fail(table.name() + " needs from, to and value");
   }
-  if (stretch.to > stretch.from) return stretch;
+  if (stretch.end && stretch.value == 0) {
+    table.fail(table.name() +
+               " holds the motion, which so never comes to the event in `to`; state "
+               "seconds of the video");
+  }
+  if (stretch.hasMoments() || stretch.to > stretch.from) return stretch;
   table.fail(table.name() + " must end after it begins, not go from " + shortestText(stretch.from) +
              " s to " + shortestText(stretch.to) + " s");
 }
@@ -120,12 +131,12 @@ PlaybackSpeed speedFrom(const ValueReader& value) {
   double end = 0;
   readEach(value.tables(kExpectedSpeeds), [&](const ValueReader& table) {
     const SpeedStretch stretch = stretchFrom(table);
-    if (stretch.from < end) {
+    if (!stretch.begin && stretch.from < end) {
       table.fail("the stretches of " + value.name() +
                  " must follow each other, but one begins at " + shortestText(stretch.from) +
                  " s, before the last has ended at " + shortestText(end) + " s");
     }
-    end = stretch.to;
+    end = stretch.end ? 0 : stretch.to;
     speed.stretches.push_back(stretch);
   });
   return speed;
@@ -134,7 +145,8 @@ PlaybackSpeed speedFrom(const ValueReader& value) {
 std::string speedText(const PlaybackSpeed& speed) {
   if (speed.stretches.empty()) return tomlNumber(speed.constant);
   return listText(speed.stretches, [](const SpeedStretch& stretch) {
-    return "{ from = " + tomlNumber(stretch.from) + ", to = " + tomlNumber(stretch.to) +
+    return "{ from = " + (stretch.begin ? momentText(*stretch.begin) : tomlNumber(stretch.from)) +
+           ", to = " + (stretch.end ? momentText(*stretch.end) : tomlNumber(stretch.to)) +
            ", value = " + tomlNumber(stretch.value) + " }";
   });
 }

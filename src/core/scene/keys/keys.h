@@ -21,6 +21,7 @@ Keys<physics::Nudge> nudgeKeys();
 Keys<Panel> panelKeys();
 
 Keys<ClipSettings> clipKeys();
+Keys<Cue> cueKeys();
 Keys<EncodingSettings> videoKeys();
 Keys<CameraSettings> cameraKeys();
 Keys<BookSettings> bookKeys();

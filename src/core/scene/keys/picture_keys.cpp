@@ -152,6 +152,12 @@ std::string wordsText(const Words& words) {
   return "{ " + joined(entries) + " }";
 }
 
+std::string captionFrom(const ValueReader& value, const ValueForm& form) {
+  if (!std::holds_alternative<TomlNode::Array>(value.node().value)) return linesFrom(value, form);
+  value.fail("caption is the text from the beginning on; those that follow are in [[cue]]: at and "
+             "text");
+}
+
 }  // namespace
 
 Keys<Spec> titleKeys() {
@@ -161,8 +167,9 @@ Keys<Spec> titleKeys() {
                 text<&Spec::title>("title", kLongestTitle,
                                    {.meaning = "stored in the clip, shown by the overlay `caption`",
                                     .byDefault = "the file's name"}),
-                lines<&Spec::caption>("caption", kLongestCaption,
-                                      {.meaning = "likewise", .byDefault = "empty"}),
+                key<&Spec::caption, captionFrom, tomlString>(
+                    "caption", textForm(kLongestCaption),
+                    {.meaning = "likewise", .byDefault = "empty"}),
             });
   return keys;
 }

@@ -196,7 +196,7 @@ describe("the player", () => {
     assert.equal(await clip.locator(".words").getAttribute("aria-pressed"), "true");
     await clip.locator(".events summary").click();
     const words = await clip.locator(".events button").allInnerTexts();
-    assert.match(words.at(-1), /^0\.\d\d s: flew apart$/);
+    assert.match(words.at(-1), /^0\.\d\d s: burst$/);
     await clip.locator(".events button").last().click();
     await waitForSeek(page, "bursts");
     await page.waitForFunction((last) => [...document.querySelector("#bursts video").textTracks[0].activeCues ?? []].some((cue) => cue.text === last), words.at(-1));

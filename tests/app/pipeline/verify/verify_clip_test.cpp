@@ -133,6 +133,27 @@ TEST(VerifyClip, ProvesWhatARenderMade) {
   }
 }
 
+TEST(VerifyClip, ComparesTheCaptionsBesideIt) {
+  const fs::path folder = emptyFolder();
+  testing::render(shownScene({"cue=[{ at = 0.2, text = 'Now' }]"}),
+                  {.folder = folder, .outputs = outputsOf(false, {VideoFormat::Mp4})});
+  EXPECT_TRUE(proved(verifyClip(folder / "small.mp4", {.frames = {0}})));
+  std::ofstream(folder / "small.vtt", std::ios::app) << "\n";
+  EXPECT_THAT(failedIn(verifyClip(folder / "small.mp4", {.frames = {0}})), ElementsAre("captions"));
+  fs::remove(folder / "small.vtt");
+  EXPECT_TRUE(proved(verifyClip(folder / "small.mp4", {.frames = {0}}))) << "it may lie elsewhere";
+}
+
+TEST(VerifyClip, FindsOtherChapters) {
+  const auto said = shownScene({"cue=[{ at = 0.2, chapter = 'Flip' }]"});
+  EXPECT_THAT(failedIn(verified({.said = said, .shown = said})), IsEmpty());
+  EXPECT_THAT(
+      failedIn(verified({.said = said,
+                         .shown = said,
+                         .change = [](auto& settings) { settings.chapters[0].name = "Flop"; }})),
+      ElementsAre("layout"));
+}
+
 double meanRms(const Verification& found) {
   double sum = 0;
   for (const PictureCheck& picture : found.pictures) sum += picture.measured.rms;
@@ -181,6 +202,8 @@ INSTANTIATE_TEST_SUITE_P(
         std::vector<std::string>{"look.background='#2b5d8a'", "video.crf=1"},
         std::vector<std::string>{"look.background='#2b5d8a'", "clip.size=[1280, 720]"},
         std::vector<std::string>{"look.motion_blur=4"},
+        std::vector<std::string>{"cue=[{ text = 'Now', at = 0.2, hold = 0.1, chapter = 'A' }]",
+                                 "overlay.show=['caption', 'clock']"},
         std::vector<std::string>{"initial.angular_velocity=[0.2, 0, 0]"},
         // Held pictures are copied whole, which x264 states as the quantiser 11.
         std::vector<std::string>{"video.preset=veryfast", "look.background=white",

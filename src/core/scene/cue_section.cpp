@@ -1,0 +1,46 @@
+// The section [[cue]]: what a clip says, and where it stands, in the course of its motion.
+#include <string>
+#include <vector>
+
+#include "base/document/problems.h"
+#include "scene/keys/keys.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+Cue cueFrom(const ValueReader& table) {
+  Cue cue;
+  readKeys(table, cueKeys(), cue);
+  if (!cue.text && cue.hold == 0 && cue.chapter.empty())
+    table.fail("[[cue]] needs text, hold or chapter");
+  return cue;
+}
+
+void readCues(const ValueReader& value, Spec& spec) {
+  const auto tables = value.tables("tables with the header [[cue]]");
+  if (tables.size() > kMaxCues) {
+    value.fail("a scene has up to " + std::to_string(kMaxCues) + " cues, not " +
+               std::to_string(tables.size()));
+  }
+  spec.cues.clear();
+  readEach(tables, [&](const ValueReader& table) { spec.cues.push_back(cueFrom(table)); });
+}
+
+/// Of those for the motion, only the ones at which it stands.
+std::vector<std::string> cueTables(const Spec& spec, const Printed& printed) {
+  std::vector<std::string> tables;
+  for (const Cue& cue : spec.cues) {
+    if (printed.ofMotion && cue.hold == 0) continue;
+    tables.push_back(linesOf(cueKeys(), cue, printed));
+  }
+  return tables;
+}
+
+}  // namespace
+
+Section<Spec> cueSection() {
+  return {"cue", readCues, {}, rowsOf("cue.N.", cueKeys()), cueTables};
+}
+
+}  // namespace rotatebook::scene

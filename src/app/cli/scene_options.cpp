@@ -128,7 +128,7 @@ std::string asWritten(std::string message, const std::vector<Shorthand>& shortha
 
 /// Has problems that are found later named by the options that the user wrote, too.
 void nameAsWritten(scene::Scene& scene, const std::vector<Shorthand>& shorthands) {
-  for (auto& [key, location] : scene.locations) {
+  for (auto& [key, location] : scene.locations.byKey) {
     for (const auto& [option, assignment] : shorthands)
       if (location == document::overrideLocation(assignment)) location = option;
   }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/document/toml_tree.h"
 #include "scene/scale.h"
 
 namespace rotatebook::scene {
@@ -16,8 +18,12 @@ struct AxisValue {
   std::string toml;                ///< As a scene states it, with its label if that is stated.
   std::string label;               ///< The number or the word, or what is stated.
   std::optional<double> number{};  ///< The value, if it is a number without a label.
+  document::TomlNode node{};       ///< The value, which takes the place of the key's own.
 
-  friend bool operator==(const AxisValue&, const AxisValue&) = default;
+  /// Compares all but the node, whose value `toml` has.
+  friend bool operator==(const AxisValue& a, const AxisValue& b) {
+    return a.toml == b.toml && a.label == b.label && a.number == b.number;
+  }
 };
 
 /// The special keys of a map's axis; all others are keys of a motion.
@@ -36,6 +42,8 @@ struct Axis {
   std::string key;
   std::vector<AxisValue> values{};  ///< Each with another label; none on a map.
   std::string label{};              ///< Beside the axis; empty for the key and its unit.
+  /// Names of keys that the scene leaves out, so that their defaults follow the axis.
+  std::vector<std::string_view> followers{};
   AxisKind kind = AxisKind::MotionKey;
   double from = 0;  ///< At a map's left, or at its bottom.
   double to = 1;    ///< > from

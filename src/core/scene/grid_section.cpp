@@ -15,28 +15,20 @@
 namespace rotatebook::scene {
 namespace {
 
-using document::TomlNode;
-
-/// An axis as it is read; an axis that is missing has one value, which changes nothing.
-struct ReadGridAxis {
-  std::optional<ValueReader> table{};
-  std::optional<VariedKey> varied{};
-
-  std::size_t count() const { return varied ? varied->values.size() : 1; }
-};
-
-ReadGridAxis readAxis(const ValueReader& section, const char* name, const ValueReader& file) {
-  const auto table = section.find(name);
-  if (!table) return {};
-  const ReadGridAxis read{table, variedKeyFrom(*table, file)};
-  if (read.varied->path == "simulation.time_per_frame") {
-    read.varied->key.fail(
+/// Completes an axis of `section`, if there is one.
+void finishSide(const ValueReader& section, const char* name, const ValueReader& file,
+                std::optional<Axis>& axis) {
+  if (!axis) return;
+  const ValueReader table = *section.find(name);
+  finishAxis(table, file, *axis);
+  if (axis->key == "simulation.time_per_frame") {
+    table.find("key")->fail(
         "the books of a grid have no time_per_frame of their own, because all share one clock; "
         "vary simulation.step, the length of a step");
   }
-  if (read.count() <= kMaxGridSide) return read;
-  table->fail(table->name() + " has " + std::to_string(read.count()) +
-              " values; a side of a grid has up to " + std::to_string(kMaxGridSide));
+  if (axis->values.size() <= kMaxGridSide) return;
+  table.fail(table.name() + " has " + std::to_string(axis->values.size()) +
+             " values; a side of a grid has up to " + std::to_string(kMaxGridSide));
 }
 
 void refuseSize(const ValueReader& section, std::size_t columns, std::size_t rows) {
@@ -66,8 +58,8 @@ void refuseOtherSections(const ValueReader& file) {
          "out, or make another scene of it");
 }
 
-void putAt(TomlNode& sections, const ReadGridAxis& axis, std::size_t index) {
-  if (axis.varied) put(sections, *axis.varied, axis.varied->values[index]);
+const Axis* axisIn(const std::optional<Axis>& axis) {
+  return axis ? &*axis : nullptr;
 }
 
 /// Returns "substeps 10", a value with the last word of its key; empty without an axis.
@@ -96,37 +88,6 @@ std::vector<Expectation> expectedAt(const Spec& spec, std::size_t column, std::s
   return all;
 }
 
-/// Returns the motion of each cell, row by row.
-std::vector<Panel> motionsOfCells(const ReadGridAxis& columns, const ReadGridAxis& rows,
-                                  const ValueReader& file, const Spec& spec, Shared& shared) {
-  const bool hasColumns = columns.varied.has_value();
-  const ReadGridAxis &inner = hasColumns ? columns : rows, &outer = hasColumns ? rows : columns;
-  std::vector<Panel> cells;
-  document::Problems problems;
-  for (std::size_t i = 0; i < outer.count(); ++i) {
-    TomlNode sections = motionPart(file);
-    problems.note([&] { putAt(sections, outer, i); });
-    const VariedMotions motions(sections, shared, *inner.varied);
-    for (std::size_t j = 0; j < inner.count(); ++j) {
-      const std::size_t column = hasColumns ? j : i, row = hasColumns ? i : j;
-      problems.note([&] {
-        Panel& panel = cells.emplace_back();
-        static_cast<Motion&>(panel) = motions.with(inner.varied->values[j]);
-        panel.expectations = expectedAt(spec, column, row);
-        panel.label = joined({labelAt(spec.grid->columns, column), labelAt(spec.grid->rows, row)});
-      });
-    }
-  }
-  problems.throwIfAny();
-  return cells;
-}
-
-/// Throws InputError if a key changes nothing in any of the motions.
-void refuseUnusedKey(const ReadGridAxis& axis, const std::vector<Panel>& cells) {
-  if (!axis.varied) return;
-  refuseUnused(axis.varied->key, axis.varied->path, modelsOf(cells), "books");
-}
-
 void refuseManySamples(const ValueReader& section, std::size_t cells, const ClipSettings& clip) {
   const auto samples = static_cast<std::int64_t>(cells) * clip.frameCount();
   if (samples <= kMaxGridSamples) return;
@@ -147,26 +108,35 @@ GridSettings readGrid(const ValueReader& section, const ValueReader& file,
         "[grid] needs columns or rows, such as columns = { key = "
         "\"simulation.substeps\", values = [1, 10, 100] }");
   }
-  const ReadGridAxis columns = readAxis(section, "columns", file);
-  const ReadGridAxis rows = readAxis(section, "rows", file);
-  refuseSize(section, columns.count(), rows.count());
-  if (columns.varied && rows.varied && columns.varied->path == rows.varied->path) {
-    rows.varied->key.fail(rows.varied->key.name() + " is grid.columns.key, too; name another key");
-  }
-  const auto axisIn = [](const std::optional<Axis>& axis) { return axis ? &*axis : nullptr; };
+  finishSide(section, "columns", file, grid.columns);
+  finishSide(section, "rows", file, grid.rows);
+  refuseSize(section, grid.columnCount(), grid.rowCount());
+  if (grid.columns && grid.rows && variedKey(*grid.columns) == variedKey(*grid.rows))
+    section.find("rows", "key")->fail("grid.rows.key is grid.columns.key, too; name another key");
   kGridExpectations.check(section, {axisIn(grid.columns), axisIn(grid.rows)});
-  refuseManySamples(section, columns.count() * rows.count(), clip);
+  refuseManySamples(section, grid.columnCount() * grid.rowCount(), clip);
   return grid;
 }
 
-std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& shared) {
-  const ValueReader section = *file.find("grid");
-  const ReadGridAxis columns = readAxis(section, "columns", file);
-  const ReadGridAxis rows = readAxis(section, "rows", file);
-  std::vector<Panel> cells = motionsOfCells(columns, rows, file, spec, shared);
-  refuseUnusedKey(columns, cells);
-  refuseUnusedKey(rows, cells);
+std::vector<Panel> readCells(const ValueReader& file, const Spec& spec) {
+  const PlacedAxis rows{axisIn(spec.grid->rows), spec.locations.of({"grid.rows.key"})};
+  const PlacedAxis columns{axisIn(spec.grid->columns), spec.locations.of({"grid.columns.key"})};
+  std::vector<Panel> cells;
+  readVaried(file, rows, columns, [&](std::size_t row, std::size_t column, Motion motion) {
+    motion.expectations = expectedAt(spec, column, row);
+    cells.push_back({std::move(motion),
+                     joined({labelAt(spec.grid->columns, column), labelAt(spec.grid->rows, row)})});
+  });
   return cells;
+}
+
+void checkCells(const Scene& scene) {
+  const std::vector<physics::Model> models = modelsOf(scene.motions);
+  const auto check = [&](const std::optional<Axis>& axis, const char* key) {
+    if (axis) refuseUnused(scene.locations.of({key}), axis->key, models, "books");
+  };
+  check(scene.grid->columns, "grid.columns.key");
+  check(scene.grid->rows, "grid.rows.key");
 }
 
 std::string gridText(const Spec& spec, const Printed& printed) {

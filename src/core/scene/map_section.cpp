@@ -15,13 +15,14 @@ namespace {
 
 using physics::Model;
 
-/// An axis and its reader.
-struct ReadAxis {
-  ValueReader table;
+/// An axis and the location of its key.
+struct LocatedAxis {
   const Axis& axis;
+  std::string location;
 
-  ValueReader key() const { return *table.find("key"); }
-  ValueReader end(const char* name) const { return *table.find(name); }
+  [[noreturn]] void fail(const std::string& problem) const {
+    document::failAt(location, axis.key + problem);
+  }
 };
 
 bool anyIs(const std::vector<Panel>& motions, Model model) {
@@ -29,68 +30,66 @@ bool anyIs(const std::vector<Panel>& motions, Model model) {
       motions, [model](const Panel& panel) { return panel.simulation.model == model; });
 }
 
-void refuseOutside(const ReadAxis& read, double min, double max) {
-  if (read.axis.from < min) read.end("from").mismatch("at least " + tomlNumber(min));
-  if (read.axis.to > max) read.end("to").mismatch("at most " + tomlNumber(max));
+/// Refuses values that a special axis can't have.
+void checkEnds(const ValueReader& table, const Axis& axis) {
+  constexpr double kLargestLongitude = 720;
+  const auto refuseOutside = [&](double min, double max) {
+    if (axis.from < min) table.find("from")->mismatch("at least " + tomlNumber(min));
+    if (axis.to > max) table.find("to")->mismatch("at most " + tomlNumber(max));
+  };
+  switch (axis.kind) {
+    case AxisKind::MotionKey:
+      return;
+    case AxisKind::Time:
+      return refuseOutside(0, 1e100);
+    case AxisKind::SpinLongitude:
+      return refuseOutside(-kLargestLongitude, kLargestLongitude);
+    case AxisKind::SpinLatitude:
+      return refuseOutside(-90, 90);
+    case AxisKind::SmallestMoment:
+    case AxisKind::MiddleMoment:
+      return refuseOutside(0, 1);
+  }
 }
 
 /// Refuses keys from which other numbers of the motion follow, which a map doesn't make anew.
-void refuseWhatOthersFollowFrom(const ReadAxis& read, const Panel& motion) {
-  const std::string& key = read.axis.key;
+void refuseWhatOthersFollowFrom(const LocatedAxis& located, const Panel& motion) {
+  const std::string& key = located.axis.key;
   const bool isOfBody = key.starts_with("body.");
   if (isOfBody && !motion.solid.isBook()) {
-    read.key().fail(key +
-                    ": the mass and the inertia of this body follow from its shape; [study] "
-                    "and [grid] can vary it");
+    located.fail(
+        ": the mass and the inertia of this body follow from its shape; [study] and [grid] can "
+        "vary it");
   }
   if (isOfBody && motion.particles.system) {
-    read.key().fail(key +
-                    ": the places of these particles follow from it; [study] and [grid] can "
-                    "vary it");
+    located.fail(": the places of these particles follow from it; [study] and [grid] can vary it");
   }
   const bool isOfSpin = key.starts_with("initial.angular_");
   if (motion.initial.about && (isOfBody || isOfSpin)) {
-    read.key().fail(key +
-                    ": the axis of the spin is stated by its moment; state the spin as three "
-                    "numbers");
+    located.fail(": the axis of the spin is stated by its moment; state the spin as three numbers");
   }
 }
 
-void checkMotionKey(const ReadAxis& read, const std::vector<Panel>& motions) {
-  const std::string& key = read.axis.key;
-  const ValueReader place = read.key();
+void checkMotionKey(const LocatedAxis& located, const std::vector<Panel>& motions) {
+  const auto& [axis, location] = located;
   for (const Panel& panel : motions) {
-    refuseWhatOthersFollowFrom(read, panel);
-    const auto& location = place.node().location;
-    for (const double value : {read.axis.from, read.axis.to}) {
-      const MotionNumber number(panel.motion(), key, value,
-                                location);  // refuses what takes no number
+    refuseWhatOthersFollowFrom(located, panel);
+    for (const double value : {axis.from, axis.to}) {
+      // Refuses what takes no number
+      const MotionNumber number(panel.motion(), axis.key, value, location);
       physics::MotionSettings motion = panel.motion();
       number.set(motion, value);
     }
   }
-  refuseUnused(place, key, modelsOf(motions), "runs");
+  refuseUnused(location, axis.key, modelsOf(motions), "runs");
 }
 
-void checkAxis(const ReadAxis& read, const std::vector<Panel>& motions) {
-  constexpr double kLargestLongitude = 720;
-  switch (read.axis.kind) {
-    case AxisKind::MotionKey:
-      return checkMotionKey(read, motions);
-    case AxisKind::Time:
-      return refuseOutside(read, 0, 1e100);
-    case AxisKind::SpinLongitude:
-      return refuseOutside(read, -kLargestLongitude, kLargestLongitude);
-    case AxisKind::SpinLatitude:
-      return refuseOutside(read, -90, 90);
-    case AxisKind::SmallestMoment:
-    case AxisKind::MiddleMoment:
-      refuseOutside(read, 0, 1);
-      if (anyIs(motions, Model::Particles)) {
-        read.key().fail(read.axis.key +
-                        " is of rigid models; the particles' inertia follows from their positions");
-      }
-  }
+void checkAxis(const LocatedAxis& located, const std::vector<Panel>& motions) {
+  const AxisKind kind = located.axis.kind;
+  if (kind == AxisKind::MotionKey) return checkMotionKey(located, motions);
+  const bool isMoment = kind == AxisKind::SmallestMoment || kind == AxisKind::MiddleMoment;
+  if (isMoment && anyIs(motions, Model::Particles))
+    located.fail(" is of rigid models; the particles' inertia follows from their positions");
 }
 
 void checkTime(const ValueReader& section, const MapSettings& map) {
@@ -109,15 +108,16 @@ void checkTime(const ValueReader& section, const MapSettings& map) {
   }
 }
 
-void checkMeasure(const ValueReader& section, const MapSettings& map,
-                  const std::vector<Panel>& motions) {
-  for (const Panel& panel : motions) {
+void checkMeasure(const Scene& scene) {
+  const MapSettings& map = *scene.map;
+  for (const Panel& panel : scene.motions) {
     const std::string reason = reasonForAbsence(map.measure, panel.simulation.model);
     if (reason.empty()) continue;
-    section.find("measure")->fail(
+    document::failAt(
+        scene.locations.of({"map.measure"}),
         "map.measure = " + tomlString(nameOf(map.measure)) +
-        (panel.label.empty() ? "" : ", but of the panel " + tomlString(panel.label)) + ": " +
-        reason);
+            (panel.label.empty() ? "" : ", but of the panel " + tomlString(panel.label)) + ": " +
+            reason);
   }
 }
 
@@ -188,33 +188,27 @@ void checkFilm(const ValueReader& section, const MapSettings& map) {
   check("y", map.y, map.film->y);
 }
 
-void refuseTilt(const ValueReader& section, const MapSettings& map,
-                const std::vector<Panel>& motions) {
-  for (const char* name : {"x", "y"}) {
-    const Axis& axis = *name == 'x' ? map.x : map.y;
-    const bool isDirection =
-        axis.kind == AxisKind::SpinLongitude || axis.kind == AxisKind::SpinLatitude;
-    const bool isTilted = std::ranges::any_of(
-        motions, [](const Panel& panel) { return panel.initial.tilt.has_value(); });
-    if (!isDirection || !isTilted) continue;
-    section.find(name, "key")
-        ->fail(axis.key +
-               " is the direction of the spin, which initial.tilt would turn; "
-               "leave the tilt out");
-  }
+void refuseTilt(const LocatedAxis& located, const std::vector<Panel>& motions) {
+  const AxisKind kind = located.axis.kind;
+  if (kind != AxisKind::SpinLongitude && kind != AxisKind::SpinLatitude) return;
+  if (std::ranges::any_of(motions, [](const Panel& panel) { return !!panel.initial.tilt; }))
+    located.fail(
+        " is the direction of the spin, which initial.tilt would turn; leave the tilt out");
 }
 
-void refuseManyMapRuns(const ValueReader& section, const MapSettings& map, std::size_t panels) {
-  const std::int64_t runs = map.runs() * static_cast<std::int64_t>(panels);
+void refuseManyMapRuns(const Scene& scene) {
+  const std::size_t panels = scene.motions.size();
+  const std::int64_t runs = scene.map->runs() * static_cast<std::int64_t>(panels);
   if (runs <= kMaxMapRuns) return;
-  section.find("size")->fail("map.size asks for " + std::to_string(runs) + " runs" +
-                             (panels > 1 ? " of all panels" : "") + "; the limit is " +
-                             std::to_string(kMaxMapRuns) + ", such as [10000, 10000]");
+  document::failAt(scene.locations.of({"map.size"}),
+                   "map.size asks for " + std::to_string(runs) + " runs" +
+                       (panels > 1 ? " of all panels" : "") + "; the limit is " +
+                       std::to_string(kMaxMapRuns) + ", such as [10000, 10000]");
 }
 
 }  // namespace
 
-MapSettings readMap(const ValueReader& section) {
+MapSettings readMap(const ValueReader& section, const std::vector<Panel>& motions) {
   MapSettings map;
   readKeys(section, mapKeys(), map);
   for (const char* key : {"x", "y", "measure"}) {
@@ -227,25 +221,28 @@ MapSettings readMap(const ValueReader& section) {
   problems.note([&] { checkTime(section, map); });
   problems.note([&] { checkMarks(section, map); });
   problems.note([&] { checkFilm(section, map); });
+  problems.note([&] { checkEnds(*section.find("x"), map.x); });
+  problems.note([&] { checkEnds(*section.find("y"), map.y); });
+  problems.note([&] { checkMapExpected(section, map, motions); });
   problems.throwIfAny();
   return map;
 }
 
-void checkMap(const ValueReader& section, const Scene& scene) {
-  const MapSettings& map = *scene.map;
+void checkMap(const Scene& scene) {
   const std::vector<Panel>& motions = scene.motions;
   if (anyIs(motions, Model::Recorded)) {
-    section.fail(
+    document::failAt(
+        scene.locations.of({"map"}),
         "[map] varies how motions start, which recorded ones don't take; leave it out, or "
         "choose another model");
   }
+  const LocatedAxis axes[] = {{scene.map->x, scene.locations.of({"map.x.key"})},
+                              {scene.map->y, scene.locations.of({"map.y.key"})}};
   document::Problems problems;
-  problems.note([&] { refuseManyMapRuns(section, map, motions.size()); });
-  problems.note([&] { checkAxis({*section.find("x"), map.x}, motions); });
-  problems.note([&] { checkAxis({*section.find("y"), map.y}, motions); });
-  problems.note([&] { checkMeasure(section, map, motions); });
-  problems.note([&] { refuseTilt(section, map, motions); });
-  problems.note([&] { checkMapExpected(section, map, motions); });
+  problems.note([&] { refuseManyMapRuns(scene); });
+  for (const LocatedAxis& axis : axes) problems.note([&] { checkAxis(axis, motions); });
+  problems.note([&] { checkMeasure(scene); });
+  for (const LocatedAxis& axis : axes) problems.note([&] { refuseTilt(axis, motions); });
   problems.throwIfAny();
 }
 

@@ -69,7 +69,7 @@ void ifRecorded(const physics::MotionSettings& motion, const std::string& locati
 
 /// Returns the location of the file of motion `index`.
 std::string locationOfFile(const Scene& scene, std::size_t index) {
-  const bool isOwn = scene.locations.contains(recordingKey(index));
+  const bool isOwn = scene.locations.byKey.contains(recordingKey(index));
   return locationOf(scene, isOwn ? recordingKey(index) : "simulation.file");
 }
 

@@ -12,13 +12,16 @@
 #include "base/parsed_number.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
-#include "scene/varied_motion.h"
 
 namespace rotatebook::scene {
 namespace {
 
 using document::TomlNode;
 using physics::MotionSettings;
+
+/// Reads a value of a key of [body], [simulation], [initial] or [[nudge]] into a motion. Throws
+/// InputError.
+using ReadMotionKey = std::function<void(MotionSettings&, const TomlNode&)>;
 
 /// A key in its parts: "initial", "tilt" and "0" of "initial.tilt.0".
 struct Path {
@@ -90,8 +93,8 @@ std::size_t nudgeOf(const Path& path, const MotionSettings& base, const Place& p
                                        " nudges by its number, from 0");
 }
 
-}  // namespace
-
+/// Returns what reads values of `motionKey`, such as "body.mass", or of a part, such as
+/// "initial.tilt.0", which `base` states. Throws InputError at `location` if there is none.
 ReadMotionKey readerOf(const MotionSettings& base, const std::string& motionKey,
                        const std::string& location) {
   const Place place{motionKey, location};
@@ -123,6 +126,8 @@ ReadMotionKey readerOf(const MotionSettings& base, const std::string& motionKey,
                                        ", such as \"simulation.substeps\"" +
                                        didYouMean(path.section, kSections));
 }
+
+}  // namespace
 
 MotionNumber::MotionNumber(const MotionSettings& base, const std::string& key, double example,
                            const std::string& location) {

@@ -143,6 +143,8 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file,
   addFields(fields, motionSections(), result);
   merged.readTable(fields);
 
+  result.locations = document::locationsOf(node);
+
   // Check what several sections decide together
   checkPanel(panel, merged, result);
   return result;
@@ -163,12 +165,6 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
   }
   problems.throwIfAny();
   return result;
-}
-
-std::vector<TomlNode> mergedPanels(const ValueReader& panels, const ValueReader& file) {
-  std::vector<TomlNode> merged;
-  for (const ValueReader& table : panels.tables("")) merged.push_back(mergedPanel(table, file));
-  return merged;
 }
 
 }  // namespace rotatebook::scene

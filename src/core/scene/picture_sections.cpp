@@ -1,9 +1,7 @@
 // The sections [clip], [video], [[cue]], [camera], [book], [look] and [overlay]: how the motion is
 // shown.
 #include <algorithm>
-#include <initializer_list>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -19,16 +17,6 @@ namespace {
 
 constexpr double kMinDistance = 1e-9;  // [m]
 constexpr double kMinSine = 1e-6;      // Below this sine of their angle, directions are parallel.
-
-// The defaults make a valid camera, so one of the keys that are present is at fault.
-[[noreturn]] void failAtFirst(const ValueReader& section,
-                              std::initializer_list<std::string_view> keys,
-                              const std::string& problem) {
-  for (const std::string_view key : keys) {
-    if (const auto value = section.find(key)) value->fail(problem);
-  }
-  section.fail(problem);
-}
 
 /// Returns the reason why no motion of `scene` has `overlay`.
 std::string reasonForAbsence(Overlay overlay, const Scene& scene) {
@@ -101,26 +89,27 @@ std::span<const Section<Spec>> pictureSections() {
   return sections;
 }
 
-void checkOverlays(const ValueReader& section, const Scene& scene) {
+void checkOverlays(const Scene& scene) {
   const std::vector<Overlay>& show = scene.overlay.show;
   for (std::size_t i = 0; i < show.size(); ++i) {
     const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation, show[i]); };
     if (std::ranges::any_of(scene.motions, hasIt)) continue;
-    const auto names = section.find("show")->elements(show.size(), "a list of overlays");
-    names[i].fail(names[i].name() + ": " + reasonForAbsence(show[i], scene));
+    document::failAt(scene.locations.of({"overlay.show." + std::to_string(i)}),
+                     "overlay.show: " + reasonForAbsence(show[i], scene));
   }
 }
 
-void checkCamera(const ValueReader& section, const Scene& scene) {
+void checkCamera(const Scene& scene) {
+  // The defaults make a valid camera, so one of the keys that are present is at fault
   const Eigen::Vector3d view = scene.camera.target - scene.cameraPosition;
   if (view.norm() < kMinDistance) {
-    failAtFirst(section, {"position", "target"},
-                "camera.position and camera.target must be different points");
+    document::failAt(scene.locations.of({"camera.position", "camera.target", "camera"}),
+                     "camera.position and camera.target must be different points");
   }
   const double sine = view.stableNormalized().cross(scene.camera.up.stableNormalized()).norm();
   if (sine < kMinSine) {
-    failAtFirst(
-        section, {"up", "position", "target"},
+    document::failAt(
+        scene.locations.of({"camera.up", "camera.position", "camera.target", "camera"}),
         "camera.up must not be parallel to the direction from camera.position to camera.target");
   }
 }

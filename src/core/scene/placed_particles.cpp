@@ -13,6 +13,7 @@
 #include "body/mesh_readers.h"
 #include "physics/particle_places.h"
 #include "physics/spring_analysis.h"
+#include "scene/keys/keys.h"
 #include "scene/limits.h"
 #include "scene/names.h"
 #include "scene/solid_numbers.h"
@@ -25,6 +26,7 @@ namespace {
 using document::ValueReader;
 using physics::Arrangement;
 using physics::MassSpringSystem;
+using physics::SimulationSettings;
 
 /// Returns whether a value of [body] says that the body is a box.
 bool saysBox(const document::TomlNode& node) {
@@ -32,8 +34,13 @@ bool saysBox(const document::TomlNode& node) {
   return shape != nullptr && (*shape == "book" || *shape == "box" || *shape == "cards");
 }
 
-ValueReader stated(const ValueReader& file, std::string_view key) {
-  return file.find("simulation", key).value_or(file);
+/// Throws InputError at simulation.particles with its value before `problem`.
+[[noreturn]] void failAtParticles(const Motion& motion, const std::string& problem) {
+  constexpr std::string_view kName = "particles";
+  const auto& key = *std::ranges::find(simulationKeys(), kName, &Key<SimulationSettings>::name);
+  const std::string name = "simulation." + std::string(kName);
+  document::failAt(motion.locations.of({name}),
+                   name + " = " + key.text(motion.simulation) + " " + problem);
 }
 
 MassSpringSystem systemOf(const Motion& motion) {
@@ -81,15 +88,15 @@ std::string remedyFor(Arrangement arrangement, const Motion& motion) {
   return "take " + (grid.empty() ? "" : grid + " or ") + "\"equimomental\"";
 }
 
-void requireShape(const ValueReader& place, const MassSpringSystem& system, const Motion& motion) {
+void requireShape(const MassSpringSystem& system, const Motion& motion) {
   if (physics::holdShape(system)) return;
   const std::string reason = system.places.empty()
                                  ? "has no point inside the body"
                                  : "makes " + counted(system.places.size(), "particle") + " and " +
                                        counted(system.springs.size(), "spring") +
                                        ", which don't hold the shape: " + looseness(system);
-  place.fail(place.name() + " = " + describe(place.node()) + " " + reason + "; " +
-             remedyFor(motion.simulation.particles.arrangement, motion));
+  failAtParticles(motion,
+                  reason + "; " + remedyFor(motion.simulation.particles.arrangement, motion));
 }
 
 /// Returns the setting with which no step is longer than `longest`, and "or "; empty if there is
@@ -101,25 +108,24 @@ std::string shorterSteps(const physics::SimulationSettings& simulation, double l
   return "simulation.substeps = " + std::to_string(std::llround(enough)) + " or more, or ";
 }
 
-void requireStableStep(const ValueReader& file, const Motion& motion,
-                       const MassSpringSystem& system) {
-  const physics::SimulationSettings& simulation = motion.simulation;
+void requireStableStep(const Motion& motion, const MassSpringSystem& system) {
+  const SimulationSettings& simulation = motion.simulation;
   const double step = simulation.steps().length();
   const double longest = physics::largestStableStep(motion, system);
   if (step <= longest) return;
   const std::string integrator(nameOf(kIntegrators, simulation.integrator));
-  const auto ofSteps = file.find("simulation", simulation.step ? "step" : "substeps");
-  const ValueReader place = ofSteps.value_or(stated(file, "particles"));
+  const std::string place = motion.locations.of(
+      {simulation.step ? "simulation.step" : "simulation.substeps", "simulation.particles"});
   if (longest == 0) {
-    place.fail("no step is stable with the integrator \"" + integrator +
-               "\" and these particles; take \"verlet\", or simulation.damping");
+    document::failAt(place, "no step is stable with the integrator \"" + integrator +
+                                "\" and these particles; take \"verlet\", or simulation.damping");
   }
   const auto milliseconds = [](double seconds) { return roundedText(1e3 * seconds, 3) + " ms"; };
-  place.fail("steps of " + milliseconds(step) +
-             " are too long for these particles: the longest "
-             "that is stable with \"" +
-             integrator + "\" is " + milliseconds(longest) + "; take " +
-             shorterSteps(simulation, longest) + "softer springs");
+  document::failAt(place, "steps of " + milliseconds(step) +
+                              " are too long for these particles: the longest "
+                              "that is stable with \"" +
+                              integrator + "\" is " + milliseconds(longest) + "; take " +
+                              shorterSteps(simulation, longest) + "softer springs");
 }
 
 }  // namespace
@@ -142,21 +148,20 @@ void checkParticlesBody(const ValueReader& section, const physics::SimulationSet
                 "their positions; leave it out, or set simulation.particles = \"equimomental\"");
 }
 
-void placeParticles(const ValueReader& file, Motion& motion) {
+void placeParticles(Motion& motion) {
   motion.particles = {};
   const Arrangement arrangement = motion.simulation.particles.arrangement;
   const bool areCorners = arrangement == Arrangement::Corners;
   if (motion.simulation.model != physics::Model::Particles || areCorners) return;
   if (lacksSurface(motion)) return;
-  const ValueReader place = stated(file, "particles");
   MassSpringSystem system;
   try {
     system = systemOf(motion);
   } catch (const InputError& error) {
-    place.fail(place.name() + " = " + describe(place.node()) + " " + error.what());
+    failAtParticles(motion, error.what());
   }
-  requireShape(place, system, motion);
-  requireStableStep(file, motion, system);
+  requireShape(system, motion);
+  requireStableStep(motion, system);
   if (!physics::areEight(arrangement))
     motion.particles = physics::placed(std::move(system), motion.body.mass);
 }

@@ -12,10 +12,10 @@ namespace rotatebook::scene {
 void checkParticlesBody(const document::ValueReader& section,
                         const physics::SimulationSettings& settings);
 
-/// Places the particles of a motion, unless they are the corners of a box, or lack their surface;
-/// `file` has the motion's sections. Throws InputError if they are too many, if their springs don't
+/// Places the particles of a motion, unless they are the corners of a box, or lack their surface.
+/// Throws InputError if they are too many, if their springs don't
 /// hold the body's shape, or if its steps are longer than the longest stable one.
-void placeParticles(const document::ValueReader& file, Motion& motion);
+void placeParticles(Motion& motion);
 
 /// Places the particles of a motion that lacks a surface. Throws InputError if `readNamedFile` or
 /// takeMeshFile() refuses its file.

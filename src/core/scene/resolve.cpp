@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "base/document/problems.h"
 #include "scene/sections.h"
@@ -11,22 +10,33 @@
 namespace rotatebook::scene {
 namespace {
 
-std::vector<Panel> settledPanels(const Spec& spec, const ValueReader& file, Shared& shared) {
-  const std::vector<document::TomlNode> merged = mergedPanels(*file.find("panel"), file);
-  std::vector<Panel> panels = spec.panels;
-  document::Problems problems;
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    problems.note([&] { settle(ValueReader(merged[i], ""), shared, panels[i]); });
-  problems.throwIfAny();
-  return panels;
+/// Gives a motion that doesn't state its own the clip's clock.
+void setClock(const ClipSettings& clip, physics::SimulationSettings& simulation) {
+  if (!clip.speed) return;
+  simulation.timePerFrame = clip.frameRate.period() * clip.speed->constant;
+  simulation.substepped = kSubstepped;
 }
 
-std::vector<Panel> settledMotions(const Spec& spec, const ValueReader& file, Shared& shared) {
-  if (spec.grid) return cellsOf(spec, file, shared);
-  if (!spec.panels.empty()) return settledPanels(spec, file, shared);
-  Panel single{{spec.motion}, ""};
-  settle(file, shared, single);
-  return {single};
+void settleMotions(Scene& scene, Shared& shared) {
+  document::Problems problems;
+  for (Panel& motion : scene.motions) {
+    setClock(scene.clip, motion.simulation);
+    problems.note([&] { settle(shared, motion); });
+  }
+  problems.throwIfAny();
+  if (scene.grid) checkCells(scene);
+}
+
+void settleRuns(Scene& scene, Shared& shared) {
+  const bool haveOwnClocks = scene.study->varies("simulation.time_per_frame");
+  document::Problems problems;
+  for (StudyRun& run : scene.runs) {
+    if (!haveOwnClocks) setClock(scene.clip, run.motion.simulation);
+    sampleAsAsked(*scene.study, run.motion);
+    problems.note([&] { settle(shared, run.motion); });
+  }
+  problems.throwIfAny();
+  checkRuns(scene);
 }
 
 /// Returns the default camera position, from which the largest of the bodies is seen whole.
@@ -41,21 +51,19 @@ Eigen::Vector3d defaultPosition(const Scene& scene) {
 
 }  // namespace
 
-Scene resolve(Spec spec, const ValueReader& file, const MeshFiles& meshes) {
+Scene resolve(Spec spec, const MeshFiles& meshes) {
   Scene scene;
   static_cast<Spec&>(scene) = std::move(spec);
-  Shared shared = sharedOf(scene, meshes);
-  document::Problems problems;
-  problems.note([&] { scene.motions = settledMotions(scene, file, shared); });
-  problems.throwIfAny();
+  Shared shared{meshes};
+  settleMotions(scene, shared);
   scene.cameraPosition = scene.camera.position.value_or(defaultPosition(scene));
-  if (const auto camera = file.find("camera")) problems.note([&] { checkCamera(*camera, scene); });
-  if (const auto overlay = file.find("overlay"))
-    problems.note([&] { checkOverlays(*overlay, scene); });
-  if (scene.study) problems.note([&] { scene.runs = runsOf(scene, file, shared); });
-  if (scene.map) problems.note([&] { checkMap(*file.find("map"), scene); });
+  document::Problems problems;
+  problems.note([&] { checkCamera(scene); });
+  problems.note([&] { checkOverlays(scene); });
+  if (scene.study) problems.note([&] { settleRuns(scene, shared); });
+  if (scene.map) problems.note([&] { checkMap(scene); });
   problems.throwIfAny();
-  checkSteps(file, scene);
+  checkSteps(scene);
   return scene;
 }
 

@@ -3,14 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/document/locations.h"
 #include "base/frame_rate.h"
 #include "base/layout.h"
 #include "base/rgb.h"
@@ -142,6 +141,7 @@ struct Motion : physics::MotionSettings {
   /// The body that isn't the book; size, mass and inertia above follow from it.
   Solid solid{};
   std::vector<Expectation> expectations{};
+  document::Locations locations{};  ///< Of what the scene states for it: "simulation.step".
 
   /// Returns the settings that the motion is simulated from.
   const physics::MotionSettings& motion() const { return *this; }
@@ -161,7 +161,7 @@ struct Panel : Motion {
 struct StudyRun {
   std::string value;  ///< The label of the value.
   std::string curve;  ///< The label of the curve; empty if there is no second key.
-  physics::MotionSettings motion;
+  Motion motion;
 
   friend bool operator==(const StudyRun&, const StudyRun&) = default;
 };
@@ -188,15 +188,17 @@ struct Spec {
   OverlaySettings overlay;
   /// The common part of all panels, cells and runs; not complete with panels.
   Motion motion;
-  /// None, or 2 to 6, which have taken from `motion` what they don't state.
-  std::vector<Panel> panels;
+  /// The motions side by side: of the panels, 2 to 6, of the grid's cells row by row, or a single
+  /// one without a label. Each has taken from `motion` what isn't stated for it alone.
+  std::vector<Panel> motions{Panel{}};
   std::optional<GridSettings> grid;
   std::optional<StudySettings> study;
+  std::vector<StudyRun> runs;  ///< Of the study, curve by curve, each in the order of the values.
   std::optional<MapSettings> map;
-  /// Locations of stated texts that can prove wrong only when files and fonts are opened, by key,
-  /// such as "overlay.font". See scene/source_locations.h.
-  std::map<std::string, std::string, std::less<>> locations;
+  document::Locations locations;  ///< Of all that the file states.
 
+  /// Returns whether there are several motions, of panels or of a grid.
+  bool hasPanels() const { return motions.size() > 1; }
   friend bool operator==(const Spec&, const Spec&) = default;
 };
 
@@ -209,12 +211,9 @@ struct ShownCue {
   friend bool operator==(const ShownCue&, const ShownCue&) = default;
 };
 
-/// A scene with what follows from its Spec, computed once.
+/// A scene whose motions and runs have what follows from its Spec, computed once. All motions have
+/// one timePerFrame.
 struct Scene : Spec {
-  /// The motions side by side: of the panels, of the grid's cells row by row, or a single one
-  /// without a label. They have one timePerFrame.
-  std::vector<Panel> motions{Panel{}};
-  std::vector<StudyRun> runs;  ///< Of the study, curve by curve, each in the order of the values.
   Eigen::Vector3d cameraPosition{0, 0, 1};  ///< [m]
   /// The speeds with the holds of cues and the moments of the motion in their places; none where
   /// clip.speed, or timePerFrame(), says all.
@@ -225,8 +224,6 @@ struct Scene : Spec {
   /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws it.
   bool textless = false;
 
-  /// Returns whether there are several motions, of panels or of a grid.
-  bool hasPanels() const { return motions.size() > 1; }
   /// Returns the simulated time from a frame to the next, unless the speed changes. [s]
   double timePerFrame() const { return motions.front().simulation.timePerFrame; }
   friend bool operator==(const Scene&, const Scene&) = default;

@@ -46,52 +46,41 @@ void readSpeed(const ValueReader& file, Spec& spec) {
   if (!timePerFrame && !spec.clip.speed) spec.clip.speed.emplace();
 }
 
-/// Notes the location of a key if the file states it.
-void noteLocation(const ValueReader& file, std::string_view key, Spec& spec) {
-  const auto dot = key.find('.');
-  auto value = file.find(key.substr(0, dot));
-  if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
-  if (value) spec.locations.emplace(key, value->node().location);
-}
-
-/// Notes the locations of the keys that Spec::locations has.
-void noteLocations(const ValueReader& file, Spec& spec) {
-  for (const std::string_view key : kLocatedKeys) noteLocation(file, key, spec);
-  for (const DependentKey& one : kDependentKeys) noteLocation(file, one.key, spec);
-  if (const auto cues = file.find("cue")) {
-    std::size_t cue = 0;
-    for (const ValueReader& table : cues->tables(""))
-      spec.locations.emplace(cueKey(cue++), table.find("at").value_or(table).node().location);
-  }
-  const auto panels = file.find("panel");
-  if (!panels) return;
-  std::size_t panel = 0;
-  for (const ValueReader& table : panels->tables("")) {
-    if (const auto own = table.find("simulation", "file")) {
-      spec.locations.emplace(recordingKey(panel), own->node().location);
-    }
-    spec.locations.emplace(labelKey(panel++), table.find("label")->node().location);
-  }
-}
-
 /// Reads what the file states, and checks it section by section.
 Spec readSpec(const ValueReader& file, Spec spec) {
   document::Problems problems;
   problems.note([&] { readSections(file, spec); });
   problems.note([&] {
     readSpeed(file, spec);
-    if (const auto panels = file.find("panel")) spec.panels = readPanels(*panels, file);
+    if (const auto panels = file.find("panel")) spec.motions = readPanels(*panels, file);
     if (const auto grid = file.find("grid")) spec.grid = readGrid(*grid, file, spec.clip);
   });
   problems.throwIfAny();
-  if (spec.panels.empty()) problems.note([&] { checkMotion(file, spec.motion.simulation); });
+  if (!spec.hasPanels()) problems.note([&] { checkMotion(file, spec.motion.simulation); });
   if (const auto study = file.find("study"))
-    problems.note([&] { spec.study = readStudy(*study, spec); });
-  if (const auto map = file.find("map")) problems.note([&] { spec.map = readMap(*map); });
+    problems.note([&] { spec.study = readStudy(*study, file, spec); });
+  if (const auto map = file.find("map"))
+    problems.note([&] { spec.map = readMap(*map, spec.motions); });
   problems.throwIfAny();
   if (!file.find("title")) spec.title = oneLine(spec.name);
-  noteLocations(file, spec);
+  spec.locations = document::locationsOf(file.node());
+  if (const auto cues = file.find("cue")) {
+    std::size_t cue = 0;
+    for (const ValueReader& table : cues->tables(""))
+      spec.locations.byKey.emplace(cueKey(cue++), table.find("at").value_or(table).node().location);
+  }
   return spec;
+}
+
+/// Reads the motions that are stated by the sections of a scene without panels.
+void readMotions(const ValueReader& file, Spec& spec) {
+  spec.motion.locations = spec.locations;
+  if (spec.grid) {
+    spec.motions = readCells(file, spec);
+  } else if (!spec.hasPanels()) {
+    spec.motions = {{spec.motion, ""}};
+  }
+  if (spec.study) spec.runs = readRuns(file, spec);
 }
 
 }  // namespace
@@ -119,8 +108,10 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   }
   problems.throwIfAny();
 
+  readMotions(file, spec);
+
   // Find what follows
-  Scene scene = resolve(std::move(spec), file, meshes);
+  Scene scene = resolve(std::move(spec), meshes);
   readNamedFile ? readMotionFiles(scene, readNamedFile) : schedule(scene);
   return scene;
 }

@@ -8,7 +8,6 @@
 
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
-#include "scene/source_locations.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -22,50 +21,35 @@ std::string panelsText(const std::vector<Panel>& panels, const Printed& printed)
   return text;
 }
 
-/// Returns the scene's Spec with every default explicit.
-Spec explicitSpec(const Scene& scene) {
-  Spec spec = scene;
-  spec.camera.position = scene.cameraPosition;
-  if (!spec.panels.empty()) {
-    spec.panels = scene.motions;
-  } else if (!spec.grid) {
-    spec.motion = scene.motions.front();
-  }
-  return spec;
-}
-
-bool varies(const Spec& spec, std::string_view key) {
-  const auto isIt = [key](const std::optional<Axis>& axis) { return axis && axis->key == key; };
-  return (spec.grid && (isIt(spec.grid->columns) || isIt(spec.grid->rows))) ||
-         (spec.study && (isIt(spec.study->x) || isIt(spec.study->curves)));
-}
-
-/// Returns the keys that must stay out because the scene states none of them, and their defaults
-/// depend on one that an axis varies.
+/// Returns the keys that must stay out because their defaults follow an axis.
 std::vector<std::string_view> openKeys(const Spec& spec) {
   std::vector<std::string_view> open;
-  for (const auto& [key, of] : kDependentKeys) {
-    if (varies(spec, of) && !spec.locations.contains(key))
-      open.push_back(key.substr(key.find('.') + 1));
-  }
+  const auto add = [&open](const std::optional<Axis>& axis) {
+    if (axis) open.insert(open.end(), axis->followers.begin(), axis->followers.end());
+  };
+  if (spec.grid) add(spec.grid->columns), add(spec.grid->rows);
+  if (spec.study) add(spec.study->x), add(spec.study->curves);
   return open;
 }
 
 /// Returns the text of all sections but those of runs, [study] and [map].
 std::string clipText(const Scene& scene, const Printed& printed) {
   const auto sections = motionSections();
-  const Spec spec = explicitSpec(scene);
-  const bool alone = spec.panels.empty();
+  Spec spec = scene;
+  spec.camera.position = scene.cameraPosition;
+  const bool havePanels = scene.hasPanels() && !scene.grid;
+  const Motion& motion = scene.grid ? scene.motion : scene.motions.front();
   std::string text = linesOf(titleKeys(), spec, printed);
   const std::vector<std::string_view> open = openKeys(spec);
-  if (alone) text += textOf(sections.first(2), spec.motion, {printed.ofMotion, open});
+  if (!havePanels) text += textOf(sections.first(2), motion, {printed.ofMotion, open});
   if (!spec.clip.speed) {
-    if (!alone) text += "\n[simulation]\n";
-    text += timePerFrameLine(spec.motion.simulation, printed);
+    if (havePanels) text += "\n[simulation]\n";
+    text += timePerFrameLine(motion.simulation, printed);
   }
-  if (alone) text += textOf(sections.subspan(2, 2), spec.motion, printed);  // [initial], [[nudge]]
+  if (!havePanels) text += textOf(sections.subspan(2, 2), motion, printed);  // [initial], [[nudge]]
   text += textOf(pictureSections(), spec, printed);
-  text += alone ? textOf(sections.last(1), spec.motion, printed) : panelsText(spec.panels, printed);
+  text +=
+      havePanels ? panelsText(scene.motions, printed) : textOf(sections.last(1), motion, printed);
   return text + gridText(spec, printed);
 }
 

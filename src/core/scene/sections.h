@@ -14,7 +14,6 @@
 #include "scene/limits.h"
 #include "scene/names.h"
 #include "scene/scene.h"
-#include "scene/settled_motion.h"
 
 namespace rotatebook::scene {
 
@@ -39,33 +38,33 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings, const 
 /// is taken from the sections of `file`, the whole scene file, or else from the defaults. Throws
 /// InputError.
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file);
-/// Returns, for each of the panels, all keys that it and the scene have for it. Every value keeps
-/// its location.
-std::vector<document::TomlNode> mergedPanels(const ValueReader& panels, const ValueReader& file);
 
 /// Reads `section`, [grid] of `file`. Throws InputError, also if its books have too many samples
 /// in `clip`.
 GridSettings readGrid(const ValueReader& section, const ValueReader& file,
                       const ClipSettings& clip);
-/// Returns the motions of the cells of the scene's grid, row by row; `file` is what the scene was
-/// read from. Throws InputError.
-std::vector<Panel> cellsOf(const Spec& spec, const ValueReader& file, Shared& shared);
+/// Reads the motions of the cells of the grid of `file`, row by row. Throws InputError.
+std::vector<Panel> readCells(const ValueReader& file, const Spec& spec);
+/// Throws InputError if the scene's grid varies what none of its motions has.
+void checkCells(const Scene& scene);
 /// Returns [grid] as TOML; empty for a scene without one.
 std::string gridText(const Spec& spec, const Printed& printed);
 
-/// Reads `section`, [study], of a scene that is read but for it. A section without a measure is of
-/// the orders of all the model's integrators. Throws InputError.
-StudySettings readStudy(const ValueReader& section, const Spec& spec);
-/// Returns the runs of the scene's study; `file` is what the scene was read from. Throws
-/// InputError.
-std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, Shared& shared);
+/// Reads `section`, [study] of `file`, of a scene that is read but for it. A section without a
+/// measure is of the orders of all the model's integrators. Throws InputError.
+StudySettings readStudy(const ValueReader& section, const ValueReader& file, const Spec& spec);
+/// Reads the motions of the runs of the study of `file`. Throws InputError.
+std::vector<StudyRun> readRuns(const ValueReader& file, const Spec& spec);
+/// Throws InputError if the runs of the scene's study don't take what it varies or measures, or
+/// have too many samples, or too few.
+void checkRuns(const Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Spec& spec);
 
-/// Reads `section`, [map]. Throws InputError.
-MapSettings readMap(const ValueReader& section);
-/// Throws InputError if the scene's motions don't take what its map, `section`, varies or measures.
-void checkMap(const ValueReader& section, const Scene& scene);
+/// Reads `section`, [map], of a scene with these motions. Throws InputError.
+MapSettings readMap(const ValueReader& section, const std::vector<Panel>& motions);
+/// Throws InputError if the scene's motions don't take what its map varies or measures.
+void checkMap(const Scene& scene);
 /// Returns [map] as TOML; empty for a scene without a map.
 std::string mapText(const Spec& spec, const Printed& printed);
 
@@ -83,14 +82,11 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
 /// Throws InputError if `section`, [simulation], states a dissipation that the model or its
 /// integrator doesn't take.
 void checkDissipation(const ValueReader& section, const physics::SimulationSettings& settings);
-/// Throws InputError if `section`, [overlay], lists an overlay that none of the scene's motions
-/// has.
-void checkOverlays(const ValueReader& section, const Scene& scene);
-/// Throws InputError if a scene that is read completely takes more than kMaxSteps; `file` is its
-/// whole file.
-void checkSteps(const ValueReader& file, const Scene& scene);
-/// Throws InputError if the camera has no direction of view, or one parallel to `up`;
-/// `section` is [camera].
-void checkCamera(const ValueReader& section, const Scene& scene);
+/// Throws InputError if an overlay is listed that none of the scene's motions has.
+void checkOverlays(const Scene& scene);
+/// Throws InputError if the scene takes more than kMaxSteps.
+void checkSteps(const Scene& scene);
+/// Throws InputError if the camera has no direction of view, or one parallel to `up`.
+void checkCamera(const Scene& scene);
 
 }  // namespace rotatebook::scene

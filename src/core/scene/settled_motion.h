@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "base/document/value_reader.h"
 #include "rigid/inertia.h"
 #include "scene/body_section.h"
 #include "scene/scene.h"
@@ -17,19 +16,15 @@ struct SettledBody {
   rigid::Inertia inertia;
 };
 
-/// The common part of all motions of a scene.
+/// The motions of a scene have these in common.
 struct Shared {
-  /// Their timePerFrame and substepped.
-  physics::SimulationSettings clock;
   const MeshFiles& meshes;            ///< As far as they were read.
   std::vector<SettledBody> bodies{};  ///< Each once.
+  Motion placed{};                    ///< The last one whose particles were placed.
 };
 
-/// Returns what the motions of a scene have in common.
-Shared sharedOf(const Spec& spec, const MeshFiles& meshes);
-
-/// Gives a motion the clock, unless it states its own, the numbers of its solid, its particles, and
-/// a spin that names its axis that axis; `file` has the motion's sections. Throws InputError.
-void settle(const document::ValueReader& file, Shared& shared, Motion& motion);
+/// Gives a motion the numbers of its solid, its particles, and a spin that names its axis that
+/// axis. Throws InputError.
+void settle(Shared& shared, Motion& motion);
 
 }  // namespace rotatebook::scene

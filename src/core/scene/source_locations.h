@@ -1,5 +1,4 @@
-// Locations in a scene of what can prove wrong only when files and fonts are opened, and of keys
-// whose default depends on another.
+// Locations in a scene of what can prove wrong only when files and fonts are opened.
 #pragma once
 
 #include <concepts>
@@ -11,23 +10,6 @@
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
-
-/// The keys that Spec::locations may have, sections before a dot, besides those of labelKey(),
-/// cueKey(), recordingKey() and kDependentKeys.
-inline constexpr std::string_view kLocatedKeys[] = {
-    "title",      "caption",   "body",         "panel",           "grid",      "book.front",
-    "book.spine", "book.back", "overlay.font", "simulation.file", "clip.speed"};
-
-/// A key whose default depends on the value of another.
-struct DependentKey {
-  std::string_view key, of;
-};
-inline constexpr DependentKey kDependentKeys[] = {{"simulation.integrator", "simulation.model"},
-                                                  {"body.size", "body.shape"},
-                                                  {"body.mass", "body.shape"},
-                                                  {"body.dimensions", "body.shape"},
-                                                  {"body.size", "body.part"},
-                                                  {"body.mass", "body.part"}};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {
@@ -47,8 +29,8 @@ inline std::string recordingKey(std::size_t panel) {
 /// Returns the location where the scene states `key`, "FILE:LINE:COLUMN" or "--set KEY=VALUE"; the
 /// scene's name if it doesn't state it.
 inline std::string locationOf(const Spec& scene, std::string_view key) {
-  const auto location = scene.locations.find(key);
-  return location == scene.locations.end() ? scene.name : location->second;
+  const auto location = scene.locations.byKey.find(key);
+  return location == scene.locations.byKey.end() ? scene.name : location->second;
 }
 
 /// Returns what `work` returns. Throws an InputError of it again as "LOCATION: PROBLEM", with the

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "physics/motion_start.h"
+#include "scene/names.h"
 #include "scene/solid_particles.h"
 
 namespace rotatebook::scene {
 namespace {
-
-using document::ValueReader;
 
 /// Returns the principal axis, 0 to 2, about which a spin is stated by the rank of its moment.
 int axisOf(const physics::SpinAbout& about, const Eigen::Vector3d& moments) {
@@ -19,18 +19,15 @@ int axisOf(const physics::SpinAbout& about, const Eigen::Vector3d& moments) {
 }
 
 /// Throws InputError if another moment equals that of the axis, which is any of a plane then.
-void requireOneAxis(const ValueReader& file, const rigid::PrincipalAxes& axes, int axis) {
+void requireOneAxis(const Motion& motion, const rigid::PrincipalAxes& axes, int axis) {
   const Eigen::Vector3d moments = rigid::withEqualMoments(axes).moments;
   for (int other = 0; other < 3; ++other) {
     if (other == axis || moments[other] != moments[axis]) continue;
-    for (const char* key : {"angular_velocity", "angular_momentum"}) {
-      if (const auto value = file.find("initial", key)) {
-        value->fail(
-            value->name() +
-            ": two moments of this body are equal, so that no single axis has that one; state "
-            "the spin as three numbers");
-      }
-    }
+    const std::string key = "initial." + std::string(nameOf(kSpinKinds, motion.initial.kind));
+    document::failAt(motion.locations.of({key}),
+                     key +
+                         ": two moments of this body are equal, so that no single axis has that "
+                         "one; state the spin as three numbers");
   }
 }
 
@@ -46,13 +43,12 @@ void turnSpinToAxis(Motion& motion) {
   motion.initial.value = motion.initial.about->rate * axis;
 }
 
-void settleSpin(const ValueReader& file, Motion& motion) {
+void settleSpin(Motion& motion) {
   if (!motion.initial.about || lacksSurface(motion)) return;
   const rigid::PrincipalAxes axes = physics::modelInertia(motion);
-  requireOneAxis(file, axes, axisOf(*motion.initial.about, axes.moments));
+  requireOneAxis(motion, axes, axisOf(*motion.initial.about, axes.moments));
   turnSpinToAxis(motion);
-  if (const auto tilt = file.find("initial", "tilt"))
-    failAtValue(*tilt, [&] { motion.initial.tilted(); });
+  motion.locations.failAt({"initial.tilt"}, [&] { motion.initial.tilted(); });
 }
 
 }  // namespace rotatebook::scene

@@ -1,7 +1,6 @@
 // Spins that are stated by the rank of a moment. Inside the room only.
 #pragma once
 
-#include "base/document/value_reader.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
@@ -11,6 +10,6 @@ void turnSpinToAxis(Motion& motion);
 
 /// Likewise of any spin, once the motion has its particles. Throws InputError if the axis isn't
 /// unique, or its tilt is along it.
-void settleSpin(const document::ValueReader& file, Motion& motion);
+void settleSpin(Motion& motion);
 
 }  // namespace rotatebook::scene

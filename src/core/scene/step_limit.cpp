@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/names.h"
 #include "scene/schedule.h"
@@ -56,43 +56,36 @@ double stepsOfRuns(const Scene& scene) {
   return steps;
 }
 
-/// Returns the value of a stated step in `motion`, the whole file or a panel.
-std::optional<ValueReader> statedStep(const ValueReader& motion) {
-  for (const std::string_view key : kStepKeys) {
-    if (const auto value = motion.find("simulation", key)) return value;
-  }
-  return std::nullopt;
+/// Returns the location of what states so many steps: of the steps, or else of the clip's speed, as
+/// the defaults aren't too many.
+std::string sourceOfSteps(const Scene& scene) {
+  std::vector<std::string> keys;
+  const auto add = [&keys](const std::string& section) {
+    for (const std::string_view key : kStepKeys) keys.push_back(section + std::string(key));
+  };
+  add("simulation.");
+  for (std::size_t i = 0; i < scene.motions.size(); ++i)
+    add("panel." + std::to_string(i) + ".simulation.");
+  keys.push_back("clip.speed");
+  return scene.locations.of(keys);
 }
 
-/// Returns the value that states so many steps: of the steps, or else of the clip's speed, as the
-/// defaults aren't too many.
-ValueReader sourceOfSteps(const ValueReader& file) {
-  if (const auto common = statedStep(file)) return *common;
-  if (const auto panels = file.find("panel")) {
-    for (const ValueReader& panel : panels->tables("panels")) {
-      if (const auto own = statedStep(panel)) return *own;
-    }
-  }
-  return file.find("clip", "speed").value_or(file);
-}
-
-void refuseMany(double steps, const std::string& who, const ValueReader& source,
+void refuseMany(double steps, const std::string& who, const std::string& source,
                 const std::string& remedy) {
   if (steps <= kMaxSteps) return;
   constexpr double kMany = 1e18;
-  source.fail(who + " " + std::to_string(static_cast<std::int64_t>(std::min(steps, kMany))) +
-              " integration steps; the limit is " + std::to_string(kMaxSteps) +
-              " in all: " + remedy);
+  document::failAt(source, who + " " +
+                               std::to_string(static_cast<std::int64_t>(std::min(steps, kMany))) +
+                               " integration steps; the limit is " + std::to_string(kMaxSteps) +
+                               " in all: " + remedy);
 }
 
 }  // namespace
 
-void checkSteps(const ValueReader& file, const Scene& scene) {
-  refuseMany(stepsOf(scene), "the clip takes", sourceOfSteps(file),
+void checkSteps(const Scene& scene) {
+  refuseMany(stepsOf(scene), "the clip takes", sourceOfSteps(scene),
              "lower simulation.substeps or clip.duration, or state a longer simulation.step");
-  const auto study = file.find("study");
-  if (!study) return;
-  refuseMany(stepsOfRuns(scene), "the study takes", study->find("x").value_or(*study),
+  refuseMany(stepsOfRuns(scene), "the study takes", scene.locations.of({"study.x", "study"}),
              "make fewer runs, or shorter ones");
 }
 

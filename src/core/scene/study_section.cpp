@@ -22,6 +22,11 @@ constexpr const char* kDefaultX =
     "{ key = \"simulation.substeps\", values = [1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024] }";
 constexpr const char* kDefaultMeasure = "[\"order\"]";
 
+/// Returns the location of a key of [study], or else of the section.
+std::string placeOf(const Spec& spec, const std::string& key) {
+  return spec.locations.of({"study." + key, "study"});
+}
+
 std::string curvesOfAllIntegrators(physics::Model model) {
   std::vector<std::string> names;
   for (const std::string_view name : integratorNames(model)) names.push_back(tomlString(name));
@@ -50,20 +55,6 @@ TomlNode completed(const ValueReader& section, physics::Model model) {
   return whole;
 }
 
-/// Adds the motions of a curve to `runs`.
-void addCurve(const VariedMotions& motions, const VariedKey& x, const std::string& curve,
-              const StudySettings& study, std::vector<StudyRun>& runs) {
-  document::Problems problems;
-  for (const StatedValue& value : x.values) {
-    problems.note([&] {
-      physics::MotionSettings motion = motions.with(value);
-      sampleAsAsked(study, motion);
-      runs.push_back({value.value.label, curve, std::move(motion)});
-    });
-  }
-  problems.throwIfAny();
-}
-
 void refuseManyRuns(const ValueReader& section, const StudySettings& study) {
   const std::size_t curves = study.curves ? study.curves->values.size() : 1;
   const std::size_t runs = study.x.values.size() * curves;
@@ -72,47 +63,28 @@ void refuseManyRuns(const ValueReader& section, const StudySettings& study) {
                std::to_string(kMaxRuns));
 }
 
-std::vector<StudyRun> makeRuns(const ValueReader& section, const ValueReader& file,
-                               const Scene& scene, Shared& shared) {
-  std::vector<StudyRun> runs;
-  const VariedKey x = variedKeyFrom(*section.find("x"), file);
-  const TomlNode sections = motionPart(file);
-  const auto curves = section.find("curves");
-  if (!curves) {
-    addCurve({sections, shared, x, &scene.motions.front()}, x, "", *scene.study, runs);
-    return runs;
-  }
-  const VariedKey second = variedKeyFrom(*curves, file);
-  if (second.path == x.path) {
-    second.key.fail(second.key.name() + " is study.x.key, too; name another key");
-  }
-  document::Problems problems;
-  for (const StatedValue& value : second.values) {
-    problems.note([&] {
-      TomlNode varied = sections;
-      put(varied, second, value);
-      addCurve({varied, shared, x}, x, value.value.label, *scene.study, runs);
-    });
-  }
-  problems.throwIfAny();
-  return runs;
+/// Completes the axes. Throws InputError if they are of the same key.
+void finishAxes(const ValueReader& section, const ValueReader& file, StudySettings& study) {
+  finishAxis(*section.find("x"), file, study.x);
+  if (!study.curves) return;
+  finishAxis(*section.find("curves"), file, *study.curves);
+  if (variedKey(*study.curves) == variedKey(study.x))
+    section.find("curves", "key")->fail("study.curves.key is study.x.key, too; name another key");
 }
 
 /// Throws InputError if the study varies what none of its models has.
-void refuseUnusedKeys(const ValueReader& section, const StudySettings& study,
-                      const std::vector<StudyRun>& runs) {
+void refuseUnusedKeys(const Scene& scene) {
   std::vector<physics::Model> models;
-  for (const StudyRun& run : runs) models.push_back(run.motion.simulation.model);
-  refuseUnused(*section.find("x", "key"), study.x.key, models, "runs");
-  if (study.curves) refuseUnused(*section.find("curves", "key"), study.curves->key, models, "runs");
+  for (const StudyRun& run : scene.runs) models.push_back(run.motion.simulation.model);
+  const StudySettings& study = *scene.study;
+  refuseUnused(placeOf(scene, "x.key"), study.x.key, models, "runs");
+  if (study.curves) refuseUnused(placeOf(scene, "curves.key"), study.curves->key, models, "runs");
 }
 
 /// Throws InputError if a study with an interval of its own varies the one that it replaces.
 void refuseIntervals(const ValueReader& section, const StudySettings& study) {
-  constexpr std::string_view kInterval = "simulation.time_per_frame";
   const auto interval = section.find("interval");
-  if (!interval) return;
-  if (study.x.key != kInterval && !(study.curves && study.curves->key == kInterval)) return;
+  if (!interval || !study.varies("simulation.time_per_frame")) return;
   interval->fail(
       "study.interval replaces simulation.time_per_frame, which the study varies; "
       "remove one of them");
@@ -133,16 +105,17 @@ void checkExpected(const ValueReader& section, const StudySettings& study) {
 }
 
 /// Throws InputError if an order can't be found: without steps, or with the same ones twice.
-void checkOrders(const ValueReader& section, const StudySettings& study,
-                 const std::vector<StudyRun>& runs) {
-  if (std::ranges::count(study.measures, Measure::Order) == 0) return;
+void checkOrders(const Scene& scene) {
+  if (std::ranges::count(scene.study->measures, Measure::Order) == 0) return;
   std::set<std::pair<std::string, double>> steps;
-  for (const StudyRun& run : runs) {
+  for (const StudyRun& run : scene.runs) {
     const physics::SimulationSettings& simulation = run.motion.simulation;
     const std::string reason = reasonForAbsence(Measure::Order, simulation.model);
-    if (!reason.empty()) section.find("measure")->fail("study.measure has order: " + reason);
+    if (!reason.empty())
+      document::failAt(placeOf(scene, "measure"), "study.measure has order: " + reason);
     if (!steps.emplace(run.curve, simulation.steps().length()).second) {
-      section.find("x")->fail(
+      document::failAt(
+          placeOf(scene, "x"),
           "order, which is measured unless study.measure says otherwise, is found from different "
           "steps, but study.x gives two runs the same; vary simulation.substeps or "
           "simulation.step, or state another measure");
@@ -151,27 +124,27 @@ void checkOrders(const ValueReader& section, const StudySettings& study,
 }
 
 /// Throws InputError if the study takes too many samples of a motion, or too few.
-void checkSamples(const ValueReader& section, const Scene& scene,
-                  const std::vector<StudyRun>& runs) {
-  for (const StudyRun& run : runs) {
+void checkSamples(const Scene& scene) {
+  for (const StudyRun& run : scene.runs) {
     const std::int64_t samples = studiedSamples(scene, *scene.study, run.motion);
     if (samples < 2) {
-      section.fail(
+      document::failAt(
+          placeOf(scene, ""),
           "[study] takes a single sample of a motion, which shows none; raise study.duration or "
           "clip.duration");
     }
     if (samples <= kMaxFrames) continue;
-    section.find(scene.study->duration ? "duration" : "interval")
-        ->fail("the study takes " + std::to_string(samples) +
-               " samples of a motion; the limit is " + std::to_string(kMaxFrames) +
-               ": lower study.duration, or raise study.interval");
+    document::failAt(placeOf(scene, scene.study->duration ? "duration" : "interval"),
+                     "the study takes " + std::to_string(samples) +
+                         " samples of a motion; the limit is " + std::to_string(kMaxFrames) +
+                         ": lower study.duration, or raise study.interval");
   }
 }
 
 }  // namespace
 
-StudySettings readStudy(const ValueReader& stated, const Spec& spec) {
-  if (!spec.panels.empty() || spec.grid) {
+StudySettings readStudy(const ValueReader& stated, const ValueReader& file, const Spec& spec) {
+  if (spec.hasPanels() || spec.grid) {
     stated.fail("[study] needs a single motion, but this scene has several, panels or a grid");
   }
   const TomlNode whole = completed(stated, spec.motion.simulation.model);
@@ -181,18 +154,27 @@ StudySettings readStudy(const ValueReader& stated, const Spec& spec) {
   refuseIntervals(section, study);
   refuseManyRuns(section, study);
   checkExpected(section, study);
+  finishAxes(section, file, study);
   return study;
 }
 
-std::vector<StudyRun> runsOf(const Scene& scene, const ValueReader& file, Shared& shared) {
-  const ValueReader stated = *file.find("study");
-  const TomlNode whole = completed(stated, scene.motion.simulation.model);
-  const ValueReader section(whole, stated.name());
-  std::vector<StudyRun> runs = makeRuns(section, file, scene, shared);
-  refuseUnusedKeys(section, *scene.study, runs);
-  checkOrders(section, *scene.study, runs);
-  checkSamples(section, scene, runs);
+std::vector<StudyRun> readRuns(const ValueReader& file, const Spec& spec) {
+  const Axis& x = spec.study->x;
+  const Axis* curves = spec.study->curves ? &*spec.study->curves : nullptr;
+  std::vector<StudyRun> runs;
+  readVaried(
+      file, {curves, placeOf(spec, "curves.key")}, {&x, placeOf(spec, "x.key")},
+      [&](std::size_t curve, std::size_t value, Motion motion) {
+        runs.push_back({x.values[value].label, curves != nullptr ? curves->values[curve].label : "",
+                        std::move(motion)});
+      });
   return runs;
+}
+
+void checkRuns(const Scene& scene) {
+  refuseUnusedKeys(scene);
+  checkOrders(scene);
+  checkSamples(scene);
 }
 
 std::string studyText(const Spec& spec) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scene/axis.h"
@@ -23,6 +24,7 @@ struct StudySettings {
   /// [s]
   std::optional<double> interval{};
 
+  bool varies(std::string_view key) const { return x.key == key || (curves && curves->key == key); }
   friend bool operator==(const StudySettings&, const StudySettings&) = default;
 };
 

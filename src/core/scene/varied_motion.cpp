@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/document/overrides.h"
+#include "base/document/problems.h"
 #include "base/document/toml_text.h"
 #include "base/nearest_name.h"
 #include "scene/key_rows.h"
@@ -16,15 +17,26 @@
 namespace rotatebook::scene {
 namespace {
 
+using document::TomlEntry;
 using document::TomlNode;
+
+/// A key whose default depends on the value of another.
+struct DependentKey {
+  std::string_view section, name, of;
+};
+constexpr DependentKey kDependentKeys[] = {{"simulation", "integrator", "simulation.model"},
+                                           {"body", "size", "body.shape"},
+                                           {"body", "mass", "body.shape"},
+                                           {"body", "dimensions", "body.shape"},
+                                           {"body", "size", "body.part"},
+                                           {"body", "mass", "body.part"}};
 
 /// Returns the sections that settle a motion, which are those but [expect].
 std::span<const Section<Motion>> physicsSections() {
   return motionSections().first(motionSections().size() - 1);
 }
 
-void requireMotionKey(const ValueReader& key) {
-  const std::string text = key.text(kLongestPath);
+void requireMotionKey(const ValueReader& key, const std::string& text) {
   std::vector<std::string_view> names;
   for (const auto& section : physicsSections()) names.push_back(section.name);
   const std::string first = text.substr(0, text.find('.'));
@@ -36,48 +48,25 @@ void requireMotionKey(const ValueReader& key) {
            (isSection ? "" : didYouMean(first, names)));
 }
 
-bool isAngle(const StatedValue& value) {
+constexpr std::string_view kInitial = "initial.", kTilt = "initial.tilt";
+
+bool isAngle(const AxisValue& value) {
   return !std::holds_alternative<TomlNode::Array>(value.node.value);
 }
 
-/// Takes "initial.tilt" with angles as the angle of the scene's tilt, whose axis stays.
-std::string pathOf(const VariedKey& varied, const ValueReader& file) {
-  constexpr std::string_view kTilt = "initial.tilt";
-  const std::string key = varied.key.text(kLongestPath);
-  if (key == "body.mesh")
-    varied.key.fail(key + " can't vary; [[panel]] shows several meshes side by side");
-  if (key.starts_with("nudge.") && !file.find("nudge"))
-    varied.key.fail(key + " is a part of a [[nudge]], and the scene states none; state it");
-  const bool isWhole = key == kTilt && !std::ranges::all_of(varied.values, isAngle);
-  if (isWhole || (key != kTilt && !key.starts_with(std::string(kTilt) + "."))) return key;
-  if (!file.find("initial", "tilt")) {
-    varied.key.fail(key + " is a part of initial.tilt, which the scene doesn't state; state it, " +
-                    "such as initial.tilt = [0.01, \"z\"]");
-  }
-  return key == kTilt ? key + ".0" : key;
+/// Throws InputError if an axis is of a part of a start that `sections` don't state.
+void requireWhole(const TomlNode& sections, const PlacedAxis& placed, const std::string& key) {
+  if (!key.starts_with(kInitial)) return;
+  const std::string whole = key.substr(0, key.find('.', kInitial.size()));
+  if (whole == key || findKey(whole) == nullptr) return;
+  if (ValueReader(sections, "").find("initial", whole.substr(kInitial.size()))) return;
+  document::failAt(placed.location,
+                   placed.axis->key + " is a part of " + whole +
+                       ", which the scene doesn't state; state it" +
+                       (whole == kTilt ? ", such as initial.tilt = [0.01, \"z\"]" : ""));
 }
 
-}  // namespace
-
-VariedKey variedKeyFrom(const ValueReader& axis, const ValueReader& file) {
-  VariedKey varied{*axis.find("key"), "", statedValues(axis)};
-  requireMotionKey(varied.key);
-  varied.path = pathOf(varied, file);
-  return varied;
-}
-
-std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions) {
-  std::vector<physics::Model> models;
-  for (const Panel& panel : motions) models.push_back(panel.simulation.model);
-  return models;
-}
-
-void refuseUnused(const ValueReader& place, const std::string& key,
-                  const std::vector<physics::Model>& models, const std::string& motions) {
-  const std::string reason = reasonForNoChange(key, models);
-  if (!reason.empty()) place.fail(reason + "; all " + motions + " would be the same");
-}
-
+/// Returns the sections that settle a motion, as far as `file` has them.
 TomlNode motionPart(const ValueReader& file) {
   TomlNode::Table sections;
   for (const auto& section : physicsSections()) {
@@ -87,46 +76,81 @@ TomlNode motionPart(const ValueReader& file) {
   return {std::move(sections), file.node().location};
 }
 
-void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
-  putValue(sections, key.path, value.node, key.key.node().location, kMotionAlternatives);
+/// Puts a value of an axis, if there is one, into sections of a motion.
+void put(TomlNode& sections, const PlacedAxis& placed, std::size_t index) {
+  if (placed.axis == nullptr) return;
+  const std::string key = variedKey(*placed.axis);
+  const TomlNode& value = placed.axis->values[index].node;
+  requireWhole(sections, placed, key);
+  putValue(sections, key, value, placed.location, kMotionAlternatives);
+  if (!key.starts_with(kInitial)) return;
+  // Find what is wrong with a start where it is varied
+  TomlEntry& start = *find(std::get<TomlNode::Table>(sections.value), "initial");
+  for (TomlEntry& entry : std::get<TomlNode::Table>(start.node.value))
+    entry.node.location = value.location;
 }
 
-VariedMotions::VariedMotions(const TomlNode& sections, Shared& shared, const VariedKey& key,
-                             const Motion* known)
-    : sections_(sections), shared_(shared), key_(key) {
-  if (!key.path.starts_with("initial.") || findKey(key.path) == nullptr) return;
-  // Without a motion of its own, whatever is wrong is found with the first value
-  try {
-    base_ = known != nullptr ? *known : motionFrom(sections, shared);
-  } catch (const InputError&) {
-    return;
-  }
-  // The axis of such a spin follows from the body
-  if (base_->initial.about) base_.reset();
-}
-
-Motion VariedMotions::with(const StatedValue& value) const {
-  const ValueReader reader(value.node, key_.path);
-  if (base_ && !std::holds_alternative<TomlNode::Table>(value.node.value)) {
-    Motion motion = *base_;
-    readerOf(motion, key_.path, key_.key.node().location)(motion, value.node);
-    failAtValue(reader, [&] { motion.initial.tilted(); });
-    return motion;
-  }
-  TomlNode varied = sections_;
-  put(varied, key_, value);
-  return motionFrom(varied, shared_);
-}
-
-Motion motionFrom(const TomlNode& sections, Shared& shared) {
+Motion motionFrom(const TomlNode& sections) {
   const ValueReader file(sections, "");
   Motion motion;
   std::vector<document::Field> fields;
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
-  settle(file, shared, motion);
+  motion.locations = document::locationsOf(sections);
   return motion;
+}
+
+}  // namespace
+
+std::string variedKey(const Axis& axis) {
+  const bool isOfAngles = axis.key == kTilt && std::ranges::all_of(axis.values, isAngle);
+  return isOfAngles ? axis.key + ".0" : axis.key;
+}
+
+void finishAxis(const ValueReader& table, const ValueReader& file, Axis& axis) {
+  const ValueReader key = *table.find("key");
+  requireMotionKey(key, axis.key);
+  if (axis.key == "body.mesh")
+    key.fail(axis.key + " can't vary; [[panel]] shows several meshes side by side");
+  if (axis.key.starts_with("nudge.") && !file.find("nudge"))
+    key.fail(axis.key + " is a part of a [[nudge]], and the scene states none; state it");
+  for (const auto& [section, name, of] : kDependentKeys) {
+    if (of == axis.key && !file.find(section, name)) axis.followers.push_back(name);
+  }
+}
+
+std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions) {
+  std::vector<physics::Model> models;
+  for (const Panel& panel : motions) models.push_back(panel.simulation.model);
+  return models;
+}
+
+void refuseUnused(const std::string& location, const std::string& key,
+                  const std::vector<physics::Model>& models, const std::string& motions) {
+  const std::string reason = reasonForNoChange(key, models);
+  if (!reason.empty())
+    document::failAt(location, reason + "; all " + motions + " would be the same");
+}
+
+void readVaried(const ValueReader& file, const PlacedAxis& outer, const PlacedAxis& inner,
+                const TakeMotion& take) {
+  const TomlNode common = motionPart(file);
+  document::Problems problems;
+  for (std::size_t i = 0; i < outer.count(); ++i) {
+    TomlNode sections = common;
+    problems.note([&] {
+      put(sections, outer, i);
+      for (std::size_t j = 0; j < inner.count(); ++j) {
+        problems.note([&] {
+          TomlNode varied = sections;
+          put(varied, inner, j);
+          take(i, j, motionFrom(varied));
+        });
+      }
+    });
+  }
+  problems.throwIfAny();
 }
 
 }  // namespace rotatebook::scene

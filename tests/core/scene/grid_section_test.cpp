@@ -135,6 +135,15 @@ TEST(GridSection, RefusesKeysThatChangeNothing) {
   EXPECT_THAT(
       errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)),
       HasSubstr("initial.tilt is a part of initial.tilt, which the scene doesn't state"));
+  EXPECT_THAT(errorOfGrid("columns = { key = 'initial.angular_momentum.0', values = [1, 2] }"),
+              HasSubstr("initial.angular_momentum.0 is a part of initial.angular_momentum, which "
+                        "the scene doesn't state; state it"));
+  EXPECT_EQ(gridOf("rows = { key = 'initial.angular_momentum', "
+                   "values = [{ label = 'm', value = [0, 0, 1] }] }\n"
+                   "columns = { key = 'initial.angular_momentum.0', values = [1, 2] }")
+                .motions[1]
+                .initial.value,
+            Eigen::Vector3d(2, 0, 1));
 }
 
 TEST(GridSection, RefusesValues) {

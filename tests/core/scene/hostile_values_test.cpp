@@ -74,7 +74,6 @@ bool survives(const std::string& text, const std::string& override) {
     const Scene scene = parseScene(text, "a.toml", overrides);
     const std::string printed = sceneText(scene);
     Scene again = parseScene(printed, "a.toml");
-    again.locations = scene.locations;
     again.camera.position = scene.camera.position;
     // With panels, the scene's own motion is only where theirs came from.
     if (scene.hasPanels()) again.motion = scene.motion;

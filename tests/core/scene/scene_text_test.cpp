@@ -46,11 +46,8 @@ Scene unusualScene() {
   return scene;
 }
 
-/// The scene that `text` gives, without the places where it states things.
 Scene readBack(const std::string& text) {
-  Scene scene = parseScene(text, "some/where/unusual.toml");
-  scene.locations.clear();
-  return scene;
+  return parseScene(text, "some/where/unusual.toml");
 }
 
 TEST(SceneText, ReadsBackToTheSameScene) {

@@ -322,6 +322,10 @@ TEST(StudySection, GivesStartsAsIfTheyStoodInTheScene) {
   EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
                                   "x = { key = 'initial.tilt.0', values = [0.1, 1e7] }"),
               HasSubstr("a.toml:6:46: initial.tilt must be an angle from -1e6 to 1e6 rad"));
+  EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
+                                  "x = { key = 'initial.angular_velocity', "
+                                  "values = [{ label = 'z', value = [0, 0, 4] }] }"),
+              HasSubstr("a.toml:6:74: can't tilt the initial spin (0, 0, 4) toward z"));
 }
 
 TEST(StudySection, RefusesToVaryWhatNoRunHas) {

@@ -112,56 +112,48 @@ std::vector<TomlNode> nodesOf(const ValueReader& table, const Axis& range, int c
   return nodes;
 }
 
-StatedValue labelled(const ValueReader& table) {
-  StatedValue stated;
-  table.readTable(
-      {{"label", [&](const ValueReader& label) { stated.value.label = labelOf(label); }},
-       {"value", [&](const ValueReader& value) { stated.node = value.node(); }}});
+AxisValue labelled(const ValueReader& table) {
+  AxisValue stated;
+  table.readTable({{"label", [&](const ValueReader& label) { stated.label = labelOf(label); }},
+                   {"value", [&](const ValueReader& value) { stated.node = value.node(); }}});
   if (!table.find("label") || !table.find("value")) table.mismatch(kExpectedLabelled);
-  stated.value.toml =
-      "{ label = " + tomlString(stated.value.label) + ", value = " + tomlText(stated.node) + " }";
+  stated.toml =
+      "{ label = " + tomlString(stated.label) + ", value = " + tomlText(stated.node) + " }";
   return stated;
 }
 
-StatedValue statedValue(const ValueReader& value) {
+AxisValue axisValueFrom(const ValueReader& value) {
   const TomlNode& node = value.node();
   if (std::holds_alternative<TomlNode::Table>(node.value)) return labelled(value);
-  StatedValue stated{{tomlText(node), labelOf(value), std::nullopt}, node};
+  AxisValue stated{tomlText(node), labelOf(value), std::nullopt, node};
   if (const auto* whole = std::get_if<std::int64_t>(&node.value)) {
-    stated.value.number = static_cast<double>(*whole);
+    stated.number = static_cast<double>(*whole);
   } else if (const auto* real = std::get_if<double>(&node.value)) {
-    stated.value.number = *real;
+    stated.number = *real;
   }
   return stated;
 }
 
-/// An axis as a table states it, and its values.
-struct StatedAxis {
-  Axis axis{};
-  std::vector<StatedValue> values{};
-};
-
 /// Returns the values that `elements` state; `hint` follows the message about one that is twice.
-std::vector<StatedValue> valuesOf(const std::vector<ValueReader>& elements, const std::string& name,
-                                  const char* hint) {
-  std::vector<StatedValue> values;
+std::vector<AxisValue> valuesOf(const std::vector<ValueReader>& elements, const std::string& name,
+                                const char* hint) {
+  std::vector<AxisValue> values;
   readEach(elements, [&](const ValueReader& element) {
-    StatedValue one = statedValue(element);
-    const auto isIt = [&](const StatedValue& other) {
-      return other.value.label == one.value.label;
-    };
-    if (std::ranges::any_of(values, isIt)) {
-      element.fail(name + " has " + one.value.label + " twice" + hint);
+    AxisValue one = axisValueFrom(element);
+    if (std::ranges::count(values, one.label, &AxisValue::label) > 0) {
+      element.fail(name + " has " + one.label + " twice" + hint);
     }
     values.push_back(std::move(one));
   });
   return values;
 }
 
-StatedAxis statedAxis(const ValueReader& table) {
-  StatedAxis stated;
+}  // namespace
+
+Axis valueAxisFrom(const ValueReader& table) {
+  Axis range;
   int count = 0;
-  std::vector<Field> fields = rangeFields(table, stated.axis);
+  std::vector<Field> fields = rangeFields(table, range);
   fields.push_back({"values", [](const ValueReader&) {}});
   fields.push_back({"count", [&](const ValueReader& value) {
                       count = value.integer(2, static_cast<int>(kMaxRuns));
@@ -173,25 +165,17 @@ StatedAxis statedAxis(const ValueReader& table) {
   if (list ? from || to || count > 0 || table.find("scale") : !isRange) {
     table.fail(table.name() + " needs either values, or from, to and count");
   }
+  Axis axis{.key = range.key, .label = range.label};
   if (list) {
-    stated.values = valuesOf(list->list(kExpectedValues), list->name(), "");
-    return stated;
+    axis.values = valuesOf(list->list(kExpectedValues), list->name(), "");
+    return axis;
   }
-  checkRange(table, stated.axis);
-  const std::vector<TomlNode> nodes = nodesOf(table, stated.axis, count);
+  checkRange(table, range);
+  const std::vector<TomlNode> nodes = nodesOf(table, range, count);
   std::vector<ValueReader> elements;
   for (const TomlNode& node : nodes) elements.emplace_back(node, table.name());
-  stated.values =
+  axis.values =
       valuesOf(elements, table.name(), "; between whole numbers all are whole: lower count");
-  return stated;
-}
-
-}  // namespace
-
-Axis valueAxisFrom(const ValueReader& table) {
-  const StatedAxis stated = statedAxis(table);
-  Axis axis{.key = stated.axis.key, .label = stated.axis.label};
-  for (const StatedValue& one : stated.values) axis.values.push_back(one.value);
   return axis;
 }
 
@@ -213,10 +197,6 @@ Axis pixelAxisFrom(const ValueReader& table) {
 
 std::string pixelAxisText(const Axis& axis) {
   return inlineTable(rangeKeys(), axis);
-}
-
-std::vector<StatedValue> statedValues(const ValueReader& axis) {
-  return statedAxis(axis).values;
 }
 
 std::string labelOf(const ValueReader& value) {

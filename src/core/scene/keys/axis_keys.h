@@ -2,14 +2,14 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
-#include "base/document/toml_tree.h"
 #include "scene/axis.h"
 #include "scene/keys/kinds.h"
 
 namespace rotatebook::scene {
 
+/// Reads an axis of values: of numbers, words and tables of a label and any value; or of a range of
+/// numbers, which are whole if both of its ends are. Throws InputError.
 Axis valueAxisFrom(const ValueReader& table);
 std::string valueAxisText(const Axis& axis);
 Axis pixelAxisFrom(const ValueReader& table);
@@ -31,16 +31,6 @@ constexpr auto pixelAxis(std::string_view name, const KeyText& documentation) {
       "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }",
       documentation);
 }
-
-/// A value, and the node that takes the place of the key's own.
-struct StatedValue {
-  AxisValue value;
-  document::TomlNode node;
-};
-
-/// Reads the values of an axis: numbers, words and tables of a label and any value; or a range of
-/// numbers, which are whole if both of its ends are. Throws InputError.
-std::vector<StatedValue> statedValues(const ValueReader& axis);
 
 /// Returns the label of a number, a word, or true or false. Throws InputError.
 std::string labelOf(const ValueReader& value);

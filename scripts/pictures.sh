@@ -14,7 +14,7 @@ draw() {
   cwebp -quiet -q 82 "$work/$1.png" -o "$folder/$1.webp"
 }
 
-for overlay in caption settings clock axes omega momentum trail polhode half_turns; do
+for overlay in caption settings clock axes omega momentum trail polhode half_turns poinsot energy_ladder; do
   draw "overlay-$overlay" scenes/starter.toml --time 8.3 --set "overlay.show=[\"$overlay\"]" --set overlay.scale=1.5
 done
 for overlay in error ghost; do

@@ -20,6 +20,7 @@ enum class Overlay {
 enum class OverlayModels {
   All,
   Particles,  ///< Model::Particles alone, of eight.
+  Rigid,      ///< All but Model::Particles.
   Stepwise,   ///< All but Model::Exact: the overlay shows the difference from it.
 };
 
@@ -66,6 +67,8 @@ inline bool isFor(const physics::SimulationSettings& settings, Overlay overlay) 
     case OverlayModels::Particles:
       return settings.model == physics::Model::Particles &&
              areEight(settings.particles.arrangement);
+    case OverlayModels::Rigid:
+      return settings.model != physics::Model::Particles;
     case OverlayModels::Stepwise:
       return settings.model != physics::Model::Exact;
     case OverlayModels::All:

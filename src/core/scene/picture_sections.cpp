@@ -34,6 +34,9 @@ std::string reasonForAbsence(Overlay overlay, const Scene& scene) {
                 : "this scene's is " +
                       std::string(nameOf(kModels, scene.motions[0].simulation.model)));
   }
+  if (rowOf(overlay).models == OverlayModels::Rigid)
+    return name +
+           " is for rigid bodies; set simulation.model to \"exact\", \"quaternion\" or \"matrix\"";
   return name + " shows how far a motion is from the exact one, and this scene's is the exact one";
 }
 

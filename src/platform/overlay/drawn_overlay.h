@@ -1,6 +1,7 @@
 // The overlays of one motion: their interface and their factories. Inside the room only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -66,6 +67,10 @@ class DrawnOverlay {
   /// reference: equally many for each sample.
   virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };
+
+/// Returns the numbers of the samples from which a body moves freely: the first, and those after
+/// nudges.
+std::vector<std::size_t> freeStarts(const OverlayContext& context);
 
 /// Makes the overlay of that name; each is defined in its overlay's file.
 #define ROTATEBOOK_OVERLAY(enumerator, ...) \

@@ -1,5 +1,6 @@
 #include "overlay/label_placement.h"
 
+#include <algorithm>
 #include <array>
 
 #include <Eigen/Geometry>
@@ -27,6 +28,14 @@ void writeBeside(Canvas& canvas, const Layer& label, const Point& tip, const Poi
       taken.push_back(box);
       return;
     }
+  }
+}
+
+void stackUpward(std::span<double> middles, double height, double bottom) {
+  double lowest = bottom - height / 2;
+  for (double& middle : middles) {
+    middle = std::min(middle, lowest);
+    lowest = middle - height;
   }
 }
 

@@ -1,6 +1,7 @@
 // Places labels beside points of a picture. Inside the room only.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "overlay/canvas.h"
@@ -12,5 +13,9 @@ namespace rotatebook::overlay {
 /// the label out if there is no room. [pixels]
 void writeBeside(Canvas& canvas, const Layer& label, const Point& tip, const Point& direction,
                  double distance, const Box& area, std::vector<Box>& taken);
+
+/// Moves labels of this height up where they would meet the one below, or reach below `bottom`;
+/// takes and leaves their middles, the lowest label's first. [pixels]
+void stackUpward(std::span<double> middles, double height, double bottom);
 
 }  // namespace rotatebook::overlay

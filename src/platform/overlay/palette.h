@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "overlay/colour.h"
 
@@ -32,6 +33,11 @@ inline constexpr double kBacking = 0.82;
 constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
           a.blue + t * (b.blue - a.blue)};
+}
+
+/// Returns the colour of an axis' letter on such a box, which is light enough for that.
+constexpr Colour axisLetterColour(std::size_t axis) {
+  return mixed(kAxisColours[axis], kWhite, 0.25);
 }
 
 /// A picture of fewer rows is for a quick look: text that has no room beside the book is left out.

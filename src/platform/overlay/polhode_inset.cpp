@@ -105,19 +105,6 @@ std::vector<Eigen::Vector3d> MomentumSurfaces::polhode(double radius, bool posit
 
 namespace {
 
-/// Returns the numbers of the samples from which a body moves freely: the first, and those after
-/// nudges.
-std::vector<std::size_t> freeStarts(const OverlayContext& context) {
-  std::vector<std::size_t> starts{0};
-  const auto& samples = context.trajectory.samples;
-  for (const physics::Nudge& nudge : context.scene.motions[0].nudges) {
-    const auto after = std::ranges::lower_bound(samples, nudge.at, {}, &physics::Sample::time);
-    const auto start = static_cast<std::size_t>(after - samples.begin());
-    if (after != samples.end() && start > starts.back()) starts.push_back(start);
-  }
-  return starts;
-}
-
 /// Returns the angular momenta of all samples along the principal axes, in units of that of sample
 /// `start` and no longer than kFarthest.
 std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,

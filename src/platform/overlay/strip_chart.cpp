@@ -10,6 +10,10 @@
 #include <vector>
 
 #include "base/number_text.h"
+#include "overlay/label_placement.h"
+#include "physics/motion_start.h"
+#include "rigid/poinsot.h"
+#include "rigid/regime.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -21,6 +25,13 @@ struct Series {
   std::string name;    ///< In the legend, unless empty.
   std::string letter;  ///< Replaces the name where there is no room.
   Colour colour;
+  std::vector<double> values;
+};
+
+/// A thin line with its letter at the right, and a number for each sample.
+struct Mark {
+  std::string letter;
+  std::size_t axis;
   std::vector<double> values;
 };
 
@@ -36,6 +47,7 @@ struct ChartContent {
   std::string shortTitle;  ///< Replaces the title where there is no room.
   double low = 0, high = 1;
   std::vector<Tick> ticks;     ///< The most important first: the others may be left out.
+  std::vector<Mark> marks{};   ///< The lowest first; those that end beyond the range are left out.
   std::vector<Series> series;  ///< The last is drawn on top.
 };
 
@@ -97,15 +109,15 @@ std::vector<Layer> heading(const ChartWriter& writer, const ChartContent& conten
   return {};
 }
 
-/// Returns the area of the curves. At its left is room for the widest tick of all charts, so that
-/// plots one below the other are aligned.
+/// Returns the area of the curves. At its left is room for the widest tick of all charts, at its
+/// right for the letter of a mark, so that plots one below the other are aligned.
 Box plotOf(const OverlayContext& context, const Box& box) {
   const Scale& scale = context.scale;
   const double padding = paddingOf(scale), row = 1.35 * scale.smallLetters;
   const int ticks = context.type.measure("180°", labelStyle(scale, kGrey), scale.width).width;
   const double left = box.x + 2 * padding + ticks;
   const double top = box.y + padding + 1.35 * row;
-  return {left, top, std::max(1.0, box.right() - 1.5 * padding - left),
+  return {left, top, std::max(1.0, box.right() - padding - 0.8 * scale.smallLetters - left),
           std::max(1.0, box.bottom() - padding - 0.95 * row - top)};
 }
 
@@ -161,6 +173,7 @@ class StripChart final : public DrawnOverlay {
       const Layer name = writer.set(tick.text, kGrey);
       writer.write(name, {plot_.x - padding / 2 - name.width, std::round(y - name.height / 2.0)});
     }
+    drawMarks(canvas, writer);
     const auto frames = static_cast<double>(context_.scene.clip.frameCount());
     const double end = scene::timeAt(context_.scene, frames);
     const double y = std::round(plot_.bottom() + 0.15 * padding);
@@ -173,14 +186,38 @@ class StripChart final : public DrawnOverlay {
     return canvas.take();
   }
 
+  void drawMarks(Canvas& canvas, ChartWriter& writer) const {
+    std::vector<Layer> letters;
+    std::vector<double> rows;
+    for (const Mark& mark : content_.marks) {
+      const double end = mark.values.back();
+      if (!(end >= content_.low && end <= content_.high)) continue;
+      const std::vector<Point> points = pointsOf(mark.values);
+      canvas.line(points,
+                  {kAxisColours[mark.axis], std::max(1.0, 0.35 * context_.scale.line), 0.75, 0});
+      letters.push_back(writer.set(mark.letter, axisLetterColour(mark.axis)));
+      rows.push_back(points.back().y());
+    }
+    if (letters.empty()) return;
+    stackUpward(rows, letters[0].height + 1.0, plot_.bottom());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const double y = std::round(rows[i] - letters[i].height / 2.0);
+      writer.write(letters[i], {plot_.right() + 0.6 * paddingOf(context_.scale), y});
+    }
+  }
+
+  std::vector<Point> pointsOf(const std::vector<double>& values) const {
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      points.push_back(positionOf(static_cast<std::int64_t>(i), values[i]));
+    return points;
+  }
+
   CachedLayer curves() const {
     Canvas canvas = context_.canvas();
     for (const Series& one : content_.series) {
-      std::vector<Point> points;
-      for (std::size_t i = 0; i < one.values.size(); ++i) {
-        points.push_back(positionOf(static_cast<std::int64_t>(i), one.values[i]));
-      }
-      canvas.line(points, {one.colour, 0.7 * context_.scale.line, 1, 0.5 * context_.scale.halo});
+      canvas.line(pointsOf(one.values),
+                  {one.colour, 0.7 * context_.scale.line, 1, 0.5 * context_.scale.halo});
     }
     return canvas.take();
   }
@@ -202,6 +239,24 @@ Series seriesOf(const OverlayContext& context, const std::string& name, const st
   return series;
 }
 
+/// Returns the energies of spins about the principal axes with the L of each sample, as shares.
+std::vector<Mark> energyMarks(const OverlayContext& context, double unit) {
+  const auto inertia = physics::modelInertia(context.scene.motions[0]);
+  const bool principal = !inertia.bodyFromPrincipal.isIdentity(1e-9);
+  const auto axes = rigid::axesByInertia(inertia.moments);
+  std::vector<Mark> marks;
+  for (const int axis : {axes[2], axes[1], axes[0]}) {
+    const auto i = static_cast<std::size_t>(axis);
+    Mark mark{std::string(1, (principal ? "123" : "xyz")[i]), i, {}};
+    for (const physics::Sample& sample : context.trajectory.samples) {
+      const double momentum = sample.angularMomentum.norm();
+      mark.values.push_back(rigid::axisEnergies(inertia.moments, momentum)[axis] / unit);
+    }
+    marks.push_back(std::move(mark));
+  }
+  return marks;
+}
+
 }  // namespace
 
 double energyTop(const physics::Trajectory& trajectory) {
@@ -214,7 +269,8 @@ double energyTop(const physics::Trajectory& trajectory) {
 }
 
 /// A chart of the kinetic, spring and total energy as shares of the initial total, from 0 to
-/// energyTop() or OverlayContext::energyTop, whichever is higher.
+/// energyTop() or OverlayContext::energyTop, whichever is higher; and of the energies between which
+/// all motions with this L are.
 std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Box& box) {
   const double start = context.trajectory.samples.front().total();
   const scene::Words& words = context.scene.overlay.words;
@@ -225,6 +281,7 @@ std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Bo
   for (const double level : {1.0, 0.0, 2.0, 3.0}) {
     if (level < content.high) content.ticks.push_back({level, roundedText(level, 1)});
   }
+  content.marks = energyMarks(context, start);
   const auto total = [](const physics::Sample& sample) { return sample.total(); };
   if (context.scene.motions[0].simulation.model == physics::Model::Particles) {
     // If book and springs tremble, both curves are bands; the springs' band is the narrower.

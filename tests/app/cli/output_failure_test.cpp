@@ -40,7 +40,7 @@ class OutputFailure : public ProgramTest {
 };
 
 constexpr const char* kLostOutput = "rotatebook: can't write to the standard output\n";
-constexpr long kLessThanAFrame = 2450;  // [bytes]; frames have 2580 and more, scene.toml 2310
+constexpr long kLessThanAFrame = 6000;  // [bytes]; of 192x108 they have 11700, scene.toml 2550
 constexpr long kLessThanATable = 6000;  // [bytes]; the table has 6519, the clip 4500
 constexpr long kLessThanAPlot = 9000;   // [bytes]; the plot has 19000, its table 270
 constexpr long kLessThanAClip = 4000;   // [bytes]; frames have 2800 at most
@@ -191,7 +191,8 @@ TEST_F(OutputFailure, FolderThatIsMissing) {
 }
 
 TEST_F(OutputFailure, FullDiskForFrames) {
-  const ChildResult result = runOnFullDisk({"render", "tiny.toml", "--no-mp4"}, kLessThanAFrame);
+  const ChildResult result =
+      runOnFullDisk({"render", "tiny.toml", "--no-mp4", "--size", "192x108"}, kLessThanAFrame);
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't write out/tiny.partial/frame_000"),
                                   EndsWith(".png: File too large\n")));
@@ -253,14 +254,14 @@ TEST_F(OutputFailure, FullDiskKeepsTheOlderFile) {
 }
 
 TEST_F(OutputFailure, FullDiskForAssembleAndStill) {
-  run({"render", "tiny.toml", "--no-mp4"});
+  run({"render", "tiny.toml", "--no-mp4", "--size", "192x108"});
   const auto before = files();
   const ChildResult assemble =
       runOnFullDisk({"assemble", "out/tiny", "-o", "x.mp4"}, kLessThanAFrame);
   EXPECT_EQ(assemble.status, 3);
   EXPECT_THAT(assemble.error, EndsWith(": File too large\n"));
   const ChildResult still =
-      runOnFullDisk({"still", "tiny.toml", "--time", "0", "-o", "x.png"}, kLessThanAFrame);
+      runOnFullDisk({"still", "tiny.toml", "--size", "192x108", "-o", "x.png"}, kLessThanAFrame);
   EXPECT_EQ(still.status, 3);
   EXPECT_EQ(still.error, "rotatebook: can't write x.png: File too large\n");
   EXPECT_EQ(files(), before);

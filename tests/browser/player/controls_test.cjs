@@ -49,6 +49,19 @@ describe("choices", () => {
     await close();
   });
 
+  test("no loss of energy with a model that has none", async () => {
+    const {page, problems, close, choose} = await opened();
+    const lossy = 'title = "t"\nsimulation.dissipation = 2e-5\n[initial]\nangular_velocity = [5, 0, 0.1]\n';
+    assert.ok(await load(page, lossy), await messageOf(page));
+    await choose("books", "exact");
+    assert.deepEqual((await sceneOf(page)).panel[1].simulation, {model: "exact", dissipation: 0});
+    await choose("books", "one");
+    await choose("model", "exact");
+    assert.equal((await sceneOf(page)).simulation.dissipation, 0);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
   test("the exact book beside one of another model alone", async () => {
     const {page, problems, close, choose} = await opened();
     const isOffered = () => page.locator("label:has(> input[name=rb-books][value=exact])").isVisible();

@@ -260,7 +260,9 @@ TEST(OverlaySection, KeepsTheWordsOfTheOverlays) {
   // Written out, as scenes have them: renamed, they would no longer be read.
   const Scene scene = sceneFrom(
       "simulation.model = 'particles'\n[overlay]\nshow = ['caption', 'clock', 'axes', 'omega', "
-      "'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', 'springs', 'ghost']");
+      "'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', 'springs', 'ghost', "
+      "'energy_ladder']");
+  EXPECT_TRUE(shows(sceneFrom("overlay.show = ['poinsot']"), Overlay::Poinsot));
   EXPECT_TRUE(shows(scene, Overlay::Ghost));
   EXPECT_FALSE(shows(sceneFrom(""), Overlay::Caption));
 }
@@ -292,6 +294,10 @@ TEST(OverlaySection, RefusesWhatTheModelHasNot) {
             " shows how far a motion is from the exact one, and this scene's is the exact one");
     EXPECT_EQ(errorOf("overlay.show = ['" + name + "']"), "no error");
   }
+  EXPECT_EQ(errorOf("overlay.show = ['poinsot']\nsimulation.model = 'particles'"),
+            "a.toml:1:17: overlay.show: poinsot is for rigid bodies; set simulation.model to "
+            "\"exact\", \"quaternion\" or \"matrix\"");
+  EXPECT_EQ(errorOf("overlay.show = ['poinsot']"), "no error");
 }
 
 }  // namespace

@@ -35,11 +35,12 @@ inline scene::Scene diverging(std::vector<std::string> overrides = {}) {
   return tumbling(overrides);
 }
 
-/// The names of all overlays of one motion, as overlay.show takes them.
+/// The names of all overlays of one motion of particles, as overlay.show takes them.
 inline std::string namesOfMotionOverlays() {
   std::string names;
   for (const scene::OverlayRow& row : scene::kOverlayRows) {
-    if (row.placement == scene::Placement::WholeClip) continue;
+    if (row.placement == scene::Placement::WholeClip || row.models == scene::OverlayModels::Rigid)
+      continue;
     names += (names.empty() ? "'" : ", '") + std::string(row.name) + "'";
   }
   return names;

@@ -80,8 +80,8 @@ TEST(MotionOverlays, SayThatAMotionDivergedOnlyPastItsEnd) {
 
 TEST(MotionOverlays, AreOfThisMotion) {
   // Each shows the sample that is drawn.
-  for (const char* name :
-       {"axes", "omega", "momentum", "trail", "polhode", "energy", "error", "ghost"}) {
+  for (const char* name : {"axes", "omega", "momentum", "trail", "polhode", "energy",
+                           "energy_ladder", "error", "ghost", "poinsot"}) {
     const scene::Scene scene = tumbling(
         {kSmall, "overlay.show=['" + std::string(name) + "']", "simulation.integrator=euler"});
     const physics::Trajectory trajectory = motionOf(scene);
@@ -192,11 +192,12 @@ TEST(MotionOverlays, LeaveToAHeadWhatIsInIt) {
 }
 
 TEST(OverlayList, HasAFactoryForEachOverlayOfOneMotion) {
-  const scene::Scene scene = diverging({kSmall});
-  const physics::Trajectory trajectory = motionOf(scene);
   const Typesetter type;
-  const OverlayContext context{scene, trajectory, type, Scale(320, 180)};
   for (const scene::OverlayRow& row : scene::kOverlayRows) {
+    const bool isRigid = row.models == scene::OverlayModels::Rigid;
+    const scene::Scene scene = isRigid ? tumbling({kSmall}) : diverging({kSmall});
+    const physics::Trajectory trajectory = motionOf(scene);
+    const OverlayContext context{scene, trajectory, type, Scale(320, 180)};
     ASSERT_TRUE(isFor(scene.motions[0].simulation, row.overlay)) << row.name;
     EXPECT_EQ(makeOverlay(row.overlay, context, {0, 0, 80, 60}) == nullptr,
               row.placement == scene::Placement::WholeClip)

@@ -43,13 +43,13 @@ TEST(StripChart, NamesTheTimeAtWhichItEnds) {
 }
 
 TEST(StripChart, CanBeReadOverWhite) {
-  const scene::Scene scene =
-      testing::tumbling({"simulation.model=particles", "overlay.show=['energy', 'error']"});
+  const scene::Scene scene = testing::tumbling(
+      {"simulation.model=particles", "overlay.show=['energy', 'energy_ladder', 'error']"});
   const physics::Trajectory trajectory = testing::motionOf(scene);
   MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
   image::Image picture = testing::plainPicture(scene, 255);
   overlays.draw(0, testing::clipFromWorld(scene, 0), picture);
-  ASSERT_GT(overlays.texts().size(), 8U);
+  ASSERT_GT(overlays.texts().size(), 12U);
   for (const Box& box : overlays.texts()) {
     EXPECT_GE(testing::contrastOf(box, picture), 4.5) << box.x << ", " << box.y;
   }

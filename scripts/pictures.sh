@@ -21,6 +21,7 @@ for overlay in error ghost; do
   draw "overlay-$overlay" scenes/starter.toml --time 6 --set "overlay.show=[\"$overlay\"]" \
     --set simulation.integrator=euler --set simulation.substeps=16 --set overlay.scale=1.5
 done
+draw overlay-forces scenes/bodies/disc-tips.toml --time 4.6 --set 'overlay.show=["forces"]' --set overlay.scale=1.5
 for overlay in springs energy; do
   draw "overlay-$overlay" scenes/particles-soft.toml --time 2 --set "overlay.show=[\"$overlay\"]" --set overlay.scale=1.5
 done
@@ -29,7 +30,7 @@ cat >"$work/shape.toml" <<'EOF'
 [initial]
 angular_velocity = [0.5, 1.2, 0.2]
 EOF
-for shape in box phone cards racket t-handle wing-nut toutatis disc ellipsoid cylinder; do
+for shape in box phone cards racket t-handle wing-nut toutatis disc weighted-disc ellipsoid cylinder; do
   sed "1i [body]\nshape = \"$shape\"" "$work/shape.toml" >"$work/$shape.toml"
   draw "shape-$shape" "$work/$shape.toml" --time 1
 done

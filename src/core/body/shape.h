@@ -16,6 +16,12 @@ struct ShapeLength {
   double byDefault = 0;   ///< > 0. [m]
 };
 
+/// A part of a body that counts as a point.
+struct PointMass {
+  double mass = 0;                 ///< > 0. [kg]
+  Eigen::Vector3d place{0, 0, 0};  ///< From the body's centre of mass. [m]
+};
+
 /// A row of shape_list.inc.
 struct Shape {
   std::string_view name;  ///< As in scenes: "t-handle".
@@ -26,6 +32,8 @@ struct Shape {
   SolidPiece (*solid)(std::span<const double> lengths) = nullptr;
   /// Makes its surface as it looks, within the box around the solid; called after `solid`.
   Surface (*look)(std::span<const double> lengths) = nullptr;
+  /// Returns the points that have all of its mass, at a density of 1 kg/m^3; null of solids.
+  std::vector<PointMass> (*weights)(std::span<const double> lengths) = nullptr;
 };
 
 /// Returns all shapes, in the order of their list.

@@ -7,13 +7,13 @@ namespace rotatebook::rigid {
 
 using Eigen::Vector3d;
 
-BodyTurning freeTurning(const Eigen::Matrix3d& inertia, const Vector3d& rate) {
+Turning freeTurning(const Eigen::Matrix3d& inertia, const Vector3d& rate) {
   const Vector3d momentum = inertia * rate;
   return {rate, inertia.inverse() * momentum.cross(rate)};
 }
 
 ForcesPerMass forcesIn(const Turning& frame, const Eigen::Matrix3d& frameFromBody,
-                       const BodyTurning& body, const Vector3d& place) {
+                       const Turning& body, const Vector3d& place) {
   const Vector3d& O = frame.rate;
   const Vector3d X = frameFromBody * place;
   const Vector3d V = frameFromBody * body.rate.cross(place) - O.cross(X);

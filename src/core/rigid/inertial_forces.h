@@ -5,21 +5,16 @@
 
 namespace rotatebook::rigid {
 
-/// A frame of reference that turns about the origin, along its own axes.
+/// The rotation of a rigid body, or of a frame of reference, about the origin at one moment, along
+/// its own axes.
 struct Turning {
   Eigen::Vector3d rate{0, 0, 0};          ///< [rad/s]
-  Eigen::Vector3d acceleration{0, 0, 0};  ///< Of the turning; 0 if it is steady. [rad/s^2]
-};
-
-/// A rigid body's rotation at one moment, along its own axes.
-struct BodyTurning {
-  Eigen::Vector3d rate{0, 0, 0};          ///< [rad/s]
-  Eigen::Vector3d acceleration{0, 0, 0};  ///< [rad/s^2]
+  Eigen::Vector3d acceleration{0, 0, 0};  ///< 0 if it is steady. [rad/s^2]
 };
 
 /// Returns the rotation without torque of a body with this inertia: its acceleration is
 /// I^-1 (I w x w), Euler's equation. [kg m^2], [rad/s]
-BodyTurning freeTurning(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& rate);
+Turning freeTurning(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& rate);
 
 /// The forces on a mass in a frame that turns, for each kilogram of it, along the frame's axes.
 /// Their sum is the mass's acceleration in the frame. [N/kg]
@@ -27,7 +22,7 @@ struct ForcesPerMass {
   Eigen::Vector3d centrifugal{0, 0, 0};  ///< -O x (O x X)
   Eigen::Vector3d coriolis{0, 0, 0};     ///< -2 O x V
   Eigen::Vector3d euler{0, 0, 0};        ///< -dO/dt x X
-  Eigen::Vector3d held{0, 0, 0};         ///< What the rest of the body does to it.
+  Eigen::Vector3d held{0, 0, 0};         ///< By the rest of the body.
 
   Eigen::Vector3d sum() const { return centrifugal + coriolis + euler + held; }
 };
@@ -36,6 +31,6 @@ struct ForcesPerMass {
 /// mass. [m], body axes; `frameFromBody` is the body's attitude in the frame. Source: Landau and
 /// Lifshitz, Mechanics, section 39.
 ForcesPerMass forcesIn(const Turning& frame, const Eigen::Matrix3d& frameFromBody,
-                       const BodyTurning& body, const Eigen::Vector3d& place);
+                       const Turning& body, const Eigen::Vector3d& place);
 
 }  // namespace rotatebook::rigid

@@ -29,7 +29,7 @@ enum class Placement {
   WholeClip,      ///< The whole picture of a clip, once for all motions.
   TopLeft,        ///< Below the text at the top left.
   Body,           ///< On and around the body.
-  BodyAndLegend,  ///< Like Body, with a legend beside it: only one overlay.
+  BodyAndLegend,  ///< Like Body, with a legend beside it: one overlay at a time.
   Square,         ///< A square inset: only one overlay.
   Chart,          ///< One of the charts over time.
 };

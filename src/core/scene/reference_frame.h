@@ -5,6 +5,7 @@
 
 #include "physics/motion_settings.h"
 #include "physics/sample.h"
+#include "rigid/inertial_forces.h"
 
 namespace rotatebook::scene {
 
@@ -34,8 +35,13 @@ class MotionFrame {
   /// direction are unchanged.
   physics::Sample seen(const physics::Sample& sample) const;
 
-  /// Returns the angular velocity of ReferenceFrame::Turning; 0 of others. [rad/s]
-  const Eigen::Vector3d& turning() const { return turning_; }
+  /// Returns how the frame turns, along its own axes, about a body without torque that turns so.
+  rigid::Turning turningAt(const rigid::Turning& body) const {
+    return frame_ == ReferenceFrame::Body ? body : rigid::Turning{turning_};
+  }
+  /// Returns whether it turns at all, as seen from the world.
+  bool turns() const { return frame_ == ReferenceFrame::Body || !turning_.isZero(0); }
+  ReferenceFrame kind() const { return frame_; }
 
  private:
   ReferenceFrame frame_;

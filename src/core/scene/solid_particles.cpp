@@ -41,6 +41,16 @@ void requireOneDensity(const Solid& solid) {
   }
 }
 
+/// Throws InputError if the mass of a part isn't within its surface.
+void requireSolids(const Solid& solid) {
+  for (const BodyPart& part : solid.parts) {
+    const body::Shape* shape = body::findShape(part.shape);
+    if (shape == nullptr || shape->weights == nullptr) continue;
+    throw InputError("is of a body whose mass is in a few points, not within its surface; choose "
+                     "another model, such as \"exact\"");
+  }
+}
+
 std::vector<Surface> surfacesOf(const Motion& motion) {
   const Solid& solid = motion.solid;
   std::vector<Surface> surfaces;
@@ -52,6 +62,7 @@ std::vector<Surface> surfacesOf(const Motion& motion) {
     for (Vector3d& point : surfaces.back().mesh.points) point *= solid.mesh.unit;
   }
   requireOneDensity(solid);
+  requireSolids(solid);
   for (const BodyPart& part : solid.parts)
     surfaces.push_back({placed(part).surface, densityOf(part) < 0});
   return surfaces;

@@ -85,8 +85,8 @@ void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
 }
 
 /// Places the legend at the lower left, above text and charts.
-void placeLegend(const Scale& scale, Layout& layout) {
-  const double height = 2.6 * scale.smallLetters;
+void placeLegend(const Scale& scale, double letters, Layout& layout) {
+  const double height = letters * scale.smallLetters;
   double below = scale.height - scale.margin;
   if (layout.bottomRows > 0) below = scale.height - layout.bottomRows - gapOf(scale);
   for (const Box& chart : layout.charts) {
@@ -111,7 +111,7 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
     layout = {.bottomRows = wanted.bottomRows};
     placeAround(scale, wanted, layout);
   }
-  if (wanted.legend) placeLegend(scale, layout);
+  if (wanted.legend > 0) placeLegend(scale, wanted.legend, layout);
   return layout;
 }
 

@@ -12,7 +12,7 @@ namespace rotatebook::overlay {
 struct Wanted {
   bool square = false;  ///< An inset as wide as high.
   int charts = 0;       ///< Strip charts, one above the other or side by side.
-  bool legend = false;  ///< A legend of what is drawn on the body.
+  double legend = 0;    ///< Height of a legend of what is drawn on the body. [small letters]
   int bottomRows = 0;   ///< Rows that text takes at the bottom. [pixels]
 };
 

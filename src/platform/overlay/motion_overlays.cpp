@@ -7,6 +7,7 @@
 
 #include "overlay/body_box.h"
 #include "overlay/drawn_overlay.h"
+#include "overlay/forces.h"
 #include "overlay/layout.h"
 #include "overlay/motion_text.h"
 #include "overlay/strip_chart.h"
@@ -26,8 +27,12 @@ constexpr auto rowsAt(Placement placement) {
   return std::ranges::count(scene::kOverlayRows, placement, &OverlayRow::placement);
 }
 
-static_assert(rowsAt(Placement::Square) == 1 && rowsAt(Placement::BodyAndLegend) == 1,
-              "layOut() has only one box for each of these");
+static_assert(rowsAt(Placement::Square) == 1, "layOut() has only one box for it");
+
+/// Returns the height of the legend of an overlay that has one. [small letters]
+double legendHeight(Overlay overlay) {
+  return overlay == Overlay::Springs ? 2.6 : kForcesLegend;
+}
 
 }  // namespace
 
@@ -79,17 +84,18 @@ struct MotionOverlays::Parts {
   }
 
   Wanted wanted(const Viewport& viewport) const {
+    const std::vector<OverlayRow> legends = shownAt({Placement::BodyAndLegend});
     return {.square = !shownAt({Placement::Square}).empty(),
             .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
-            .legend = !shownAt({Placement::BodyAndLegend}).empty() && !scene.textless,
+            .legend = legends.empty() || scene.textless ? 0 : legendHeight(legends.front().overlay),
             .bottomRows = viewport.bottomRows};
   }
 
   void addInWorld() {
+    bool hasRoom = layout.legend.width > 0;  // for the legend of one
     for (const OverlayRow& row : shownAt({Placement::Body, Placement::BodyAndLegend})) {
-      const bool lacksLegend =
-          row.placement == Placement::BodyAndLegend && layout.legend.width <= 0 && !scene.textless;
-      if (lacksLegend) {
+      const bool hasLegend = row.placement == Placement::BodyAndLegend && !scene.textless;
+      if (hasLegend && !std::exchange(hasRoom, false)) {
         leftOut.push_back(row.overlay);
       } else {
         inWorld.push_back(makeOverlay(row.overlay, context(), layout.legend));

@@ -73,6 +73,9 @@ const std::vector<std::string> kNeverNudged{"nudge.0.at=1000", "nudge.1.at=1000"
 const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
+    {"bodies/disc-holds", {"initial.angular_velocity=[0, 5, 0]"}},
+    {"bodies/disc-tips", {"initial.angular_velocity=[0, 0, 5]", "initial.tilt=[0.01, \"x\"]"}},
+    {"bodies/disc-turned-aside", {"initial.angular_velocity=[0, 5, 0]"}},
     {"bodies/earth", {"simulation.dissipation=0"}},
     {"bodies/earth", {"panel.0.body.part.0.dimensions={ x = 0.3, y = 0.3, z = 0.300984 }"}},
     {"bodies/explorer-1", {"panel.0.simulation.dissipation=0"}},

@@ -80,17 +80,35 @@ TEST(Shapes, AreClosedAndHaveNamesOfTheirOwn) {
     const TriangleMesh& mesh = solid.surface;
     EXPECT_NO_THROW(requireClosed(mesh));
     EXPECT_EQ(welded(mesh).points.size(), mesh.points.size());
+    EXPECT_TRUE(names.insert(shape.name).second);
+    EXPECT_EQ(findShape(shape.name), &shape);
+    if (shape.weights != nullptr) continue;  // not a solid
     // The facets have the round solid's volume, and larger moments: measured by 1.0e-7.
     const MassProperties facetted = massPropertiesOf(mesh, 1);
     EXPECT_NEAR(facetted.volume / solid.properties.volume, 1, 1e-13);  // measured 6e-16
     // measured 8e-17
     EXPECT_LT((facetted.centre - solid.properties.centre).norm(), 1e-14 * extentOf(mesh));
     EXPECT_LT((facetted.inertia - solid.properties.inertia).norm() / facetted.inertia.norm(), 2e-7);
-    EXPECT_TRUE(names.insert(shape.name).second);
-    EXPECT_EQ(findShape(shape.name), &shape);
   }
-  EXPECT_EQ(names.size(), 10U);
+  EXPECT_EQ(names.size(), 11U);
   EXPECT_EQ(findShape("teapot"), nullptr);
+}
+
+TEST(Shapes, WeightsHaveTheMassAndTheMomentsOfTheirBody) {
+  const Shape& disc = *findShape("weighted-disc");
+  const std::vector<double> lengths{0.2, 0.03, 0.01};
+  const MassProperties whole = disc.solid(lengths).properties;
+  double mass = 0;
+  Eigen::Vector3d moments = Eigen::Vector3d::Zero();
+  for (const PointMass& weight : disc.weights(lengths)) {
+    const Eigen::Vector3d squares = weight.place.cwiseAbs2();
+    mass += weight.mass;
+    moments += weight.mass * (squares.sum() * Eigen::Vector3d::Ones() - squares);
+  }
+  EXPECT_NEAR(whole.mass / mass, 1, 1e-15);                              // measured 0
+  EXPECT_LT((whole.inertia.diagonal() - moments).norm() / mass, 1e-17);  // measured 0
+  EXPECT_NEAR(moments.y() / moments.x(), 27, 1e-12);                     // measured 3.6e-15
+  EXPECT_NEAR(whole.inertia(2, 2), moments.x() + moments.y(), 1e-20);    // measured 1.7e-21
 }
 
 TEST(Shapes, ABoxIsExact) {

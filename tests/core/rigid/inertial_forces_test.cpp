@@ -25,11 +25,9 @@ struct WeightedDisc {
   Matrix3d inertia = Vector3d(2 * kLight, 2 * kHeavy, 2 * (kLight + kHeavy)).asDiagonal() *
                      Matrix3d::Identity() * (kRadius * kRadius);
   ExactRotation motion{principalAxes(inertia),
-                       Vector3d(0, kRate * std::cos(0.01), kRate * std::sin(0.01))};
+                       Vector3d(0, kRate* std::cos(0.01), kRate* std::sin(0.01))};
 
-  BodyTurning at(double time) const {
-    return freeTurning(inertia, motion.angularVelocityBodyAt(time));
-  }
+  Turning at(double time) const { return freeTurning(inertia, motion.angularVelocityBodyAt(time)); }
   Matrix3d attitudeAt(double time) const { return motion.at(time).worldFromBody; }
 };
 
@@ -73,10 +71,10 @@ const std::array<InBody, 3> kInBody{{
 TEST(InertialForces, InTheBodysFrameAreTheValues) {
   const WeightedDisc disc;
   for (const InBody& row : kInBody) {
-    const BodyTurning body = disc.at(row.time);
+    const Turning body = disc.at(row.time);
     expectClose(body.rate, row.rate);
     const auto forces = [&](const Weight& weight) {
-      return forcesIn({body.rate, body.acceleration}, Matrix3d::Identity(), body, weight.place);
+      return forcesIn(body, Matrix3d::Identity(), body, weight.place);
     };
     expectClose(kHeavy * forces(kWeight0).centrifugal, row.centrifugal0);
     expectClose(kHeavy * forces(kWeight0).euler, row.euler0);
@@ -88,10 +86,9 @@ TEST(InertialForces, InTheBodysFrameAreTheValues) {
 TEST(InertialForces, OfTheBodysFrameHoldEachMassAtRest) {
   const WeightedDisc disc;
   for (const double time : {0.0, 0.7, 1.3, 3.9}) {
-    const BodyTurning body = disc.at(time);
+    const Turning body = disc.at(time);
     for (const Weight& weight : {kWeight0, kWeight2}) {
-      const ForcesPerMass forces = forcesIn({body.rate, body.acceleration}, Matrix3d::Identity(),
-                                            body, weight.place);
+      const ForcesPerMass forces = forcesIn(body, Matrix3d::Identity(), body, weight.place);
       EXPECT_EQ(forces.coriolis, Vector3d::Zero());
       EXPECT_LT(forces.sum().norm(), 1e-15);  // measured 0
     }
@@ -100,13 +97,12 @@ TEST(InertialForces, OfTheBodysFrameHoldEachMassAtRest) {
 
 TEST(InertialForces, CentrifugalAreTheWholeTorqueInTheBodysFrame) {
   const WeightedDisc disc;
-  const BodyTurning body = disc.at(1.1);
+  const Turning body = disc.at(1.1);
   Vector3d centrifugal = Vector3d::Zero(), euler = Vector3d::Zero();
   for (const Weight& weight : {kWeight0, kWeight2}) {
     for (const double side : {1, -1}) {
       const Vector3d place = side * weight.place;
-      const ForcesPerMass forces =
-          forcesIn({body.rate, body.acceleration}, Matrix3d::Identity(), body, place);
+      const ForcesPerMass forces = forcesIn(body, Matrix3d::Identity(), body, place);
       centrifugal += weight.mass * place.cross(forces.centrifugal);
       euler += weight.mass * place.cross(forces.euler);
     }
@@ -183,10 +179,9 @@ TEST(InertialForces, AddUpToTheAccelerationInASteadyFrame) {
         return steadyFromBody(disc, time + offset * kStep) * weight.place;
       };
       // A difference of the sixth order
-      const Vector3d acceleration =
-          (2 * (place(3) + place(-3)) - 27 * (place(2) + place(-2)) + 270 * (place(1) + place(-1)) -
-           490 * place(0)) /
-          (180 * kStep * kStep);
+      const Vector3d acceleration = (2 * (place(3) + place(-3)) - 27 * (place(2) + place(-2)) +
+                                     270 * (place(1) + place(-1)) - 490 * place(0)) /
+                                    (180 * kStep * kStep);
       const Vector3d force = weight.mass * steadyForces(disc, time, weight.place).sum();
       EXPECT_LT((weight.mass * acceleration - force).norm(), 1e-10);  // measured 2.7e-11
     }

@@ -77,7 +77,7 @@ TEST(ReferenceFrame, TurnsEvenlyAsTheSpinWithoutItsTilt) {
   settings.initial.value = {0, 0, 5};
   settings.initial.tilt = {0.01, 0};
   const MotionFrame frame(ReferenceFrame::Turning, settings);
-  EXPECT_EQ(frame.turning(), Eigen::Vector3d(0, 0, 5));
+  EXPECT_EQ(frame.turningAt({}).rate, Eigen::Vector3d(0, 0, 5));
   physics::Sample sample;
   sample.angularVelocity = {1, 0, 0};
   EXPECT_EQ(frame.fromWorld(sample), Eigen::Matrix3d::Identity());
@@ -95,8 +95,8 @@ TEST(ReferenceFrame, ThatTurnsFollowsFromAMomentum) {
   settings.initial.kind = physics::InitialSpin::Kind::AngularMomentum;
   settings.initial.value = {0, 0.02, 0};
   const double moment = settings.body.solidInertia().y();
-  EXPECT_NEAR(MotionFrame(ReferenceFrame::Turning, settings).turning().y(), 0.02 / moment, 1e-13);
-  EXPECT_EQ(MotionFrame(ReferenceFrame::World, settings).turning(), Eigen::Vector3d::Zero());
+  EXPECT_NEAR(MotionFrame(ReferenceFrame::Turning, settings).turningAt({}).rate.y(), 0.02 / moment, 1e-13);
+  EXPECT_EQ(MotionFrame(ReferenceFrame::World, settings).turningAt({}).rate, Eigen::Vector3d::Zero());
 }
 
 }  // namespace

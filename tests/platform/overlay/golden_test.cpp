@@ -109,7 +109,8 @@ const auto kMoving = ::testing::Values(
     Case{"clock"}, Case{"axes"}, Case{"omega"}, Case{"momentum", 70, 90}, Case{"trail", 70, 90},
     Case{"polhode", 70, 90, {kPortrait}}, Case{"energy", 70, 110, {kPortrait}},
     Case{"error", 70, 140, {kPortrait}}, Case{"half_turns", 70, 150}, Case{"springs"},
-    Case{"ghost"}, Case{"energy_ladder", 70, 90, {kPortrait}}, Case{"poinsot", 70, 74, {}, true});
+    Case{"ghost"}, Case{"energy_ladder", 70, 90, {kPortrait}}, Case{"poinsot", 70, 74, {}, true},
+    Case{"forces", 70, 74, {kPortrait, "camera.frame='turning'"}});
 INSTANTIATE_TEST_SUITE_P(Each, OverlayGolden, kMoving, nameOf);
 INSTANTIATE_TEST_SUITE_P(Each, MovingOverlayGolden, kMoving, nameOf);
 

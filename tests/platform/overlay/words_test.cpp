@@ -135,7 +135,8 @@ std::vector<scene::Scene> shippedScenes() {
 /// Scenes that have words which those that ship lack.
 std::vector<scene::Scene> rareScenes() {
   std::vector<scene::Scene> scenes{
-      testing::tumbling({"clip.size=[180, 320]", "overlay.show=['error']"})};
+      testing::tumbling({"clip.size=[180, 320]", "overlay.show=['error']"}),
+      testing::tumbling({"camera.frame='body'", "overlay.show=['forces']"})};
   for (const char* kept : {"simulation.normalize_energy", "simulation.remove_drift"}) {
     scenes.push_back(testing::tumbling(
         {"simulation.model=particles", "simulation.integrator=verlet", "simulation.normalize=false",

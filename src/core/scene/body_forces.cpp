@@ -1,0 +1,43 @@
+#include "scene/body_forces.h"
+
+#include "body/shape.h"
+#include "physics/motion_start.h"
+#include "physics/particle_places.h"
+
+namespace rotatebook::scene {
+namespace {
+
+/// Returns the places of the weights of the body's shape; none of most bodies.
+std::vector<Eigen::Vector3d> weightsOf(const Motion& motion) {
+  std::vector<Eigen::Vector3d> places;
+  const bool isRigid = motion.simulation.model != physics::Model::Particles;
+  if (!isRigid || !motion.solid.isShape) return places;
+  const BodyPart& part = motion.solid.parts.front();
+  const body::Shape* shape = body::findShape(part.shape);
+  if (shape == nullptr || shape->weights == nullptr) return places;
+  for (const body::PointMass& weight : shape->weights(part.lengths)) places.push_back(weight.place);
+  return places;
+}
+
+}  // namespace
+
+BodyForces::BodyForces(const Motion& motion, const MotionFrame& frame)
+    : frame_(frame), places_(weightsOf(motion)) {
+  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
+  inertia_ =
+      axes.bodyFromPrincipal * axes.moments.asDiagonal() * axes.bodyFromPrincipal.transpose();
+  if (places_.empty()) places_ = physics::equimomentalPlaces(axes, motion.body.mass);
+}
+
+std::vector<rigid::ForcesPerMass> BodyForces::at(const physics::Sample& seen) const {
+  const rigid::Turning body =
+      rigid::freeTurning(inertia_, seen.attitude.conjugate() * seen.angularVelocity);
+  const rigid::Turning frame = frame_.turningAt(body);
+  const Eigen::Matrix3d frameFromBody = seen.attitude.toRotationMatrix();
+  std::vector<rigid::ForcesPerMass> forces;
+  for (const Eigen::Vector3d& place : places_)
+    forces.push_back(rigid::forcesIn(frame, frameFromBody, body, place));
+  return forces;
+}
+
+}  // namespace rotatebook::scene

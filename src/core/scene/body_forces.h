@@ -1,0 +1,28 @@
+// The forces on a motion's body in the frame of reference of its pictures.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace rotatebook::scene {
+
+/// The body of a motion as point masses that have its mass and its moments together, and the forces
+/// on each: the weights of a shape that has some; else eight equal ones, see
+/// physics::equimomentalPlaces(), which are the paper's particles where the model has those.
+class BodyForces {
+ public:
+  BodyForces(const Motion& motion, const MotionFrame& frame);
+
+  const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< In body axes. [m]
+  /// Returns the forces on each mass, of a body that isn't rigid as if it were at this moment;
+  /// `seen` is a sample in the frame. Throws nothing.
+  std::vector<rigid::ForcesPerMass> at(const physics::Sample& seen) const;
+
+ private:
+  MotionFrame frame_;
+  std::vector<Eigen::Vector3d> places_;
+  Eigen::Matrix3d inertia_;
+};
+
+}  // namespace rotatebook::scene

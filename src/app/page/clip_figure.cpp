@@ -154,7 +154,7 @@ struct Moment {
 std::vector<Moment> momentsOf(const scene::Scene& scene, const ClipResult& result) {
   std::vector<Moment> moments;
   for (const scene::ShownCue& shown : scene.shownCues) {
-    const auto& [at, text, hold, chapter] = scene.cues[shown.cue];
+    const auto& [at, text, hold, chapter, move] = scene.cues[shown.cue];
     if (shown.frame >= result.frames) continue;
     const std::string words = joined({chapter, oneLine(text.value_or(""))}, ": ");
     if (!words.empty()) moments.push_back({shown.frame, words});

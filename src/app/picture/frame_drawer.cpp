@@ -1,10 +1,10 @@
 #include "picture/frame_drawer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "picture/composition.h"
 #include "picture/test_frame.h"
-#include "timeline/scene_camera.h"
 
 namespace rotatebook::picture {
 
@@ -21,7 +21,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
     : motion_(&motion),
       composition_(std::make_unique<Composition>(scene, motion)),
       referenceFrames_(referenceFramesOf(scene)),
-      camera_(timeline::cameraOf(scene, composition_->screen())),
+      camera_(scene, composition_->screen()),
       distances_(scene, motion),
       renderer_([&] {
         LoadedLooks loaded = looks.get();
@@ -31,7 +31,9 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
       }()),
       moments_(scene),
       isGrid_(scene.grid.has_value()),
-      turns_(scene.camera.frame == scene::ReferenceFrame::Turning),
+      turns_(std::ranges::count(referenceFrames_, scene::ReferenceFrame::Turning,
+                                &scene::MotionFrame::kind) > 0 ||
+             camera_.moves()),
       hasText_(!scene.overlay.show.empty() || scene.hasPanels()) {
   const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
@@ -118,7 +120,7 @@ void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
 }
 
 geometry::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) const {
-  return geometry::movedAway(camera_, distances_.at(motion, frame));
+  return geometry::movedAway(camera_.at(frame), distances_.at(motion, frame));
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {

@@ -20,6 +20,7 @@
 #include "scene/scene.h"
 #include "timeline/camera_distances.h"
 #include "timeline/clip_motion.h"
+#include "timeline/scene_camera.h"
 #include "timeline/shutter_moments.h"
 
 namespace rotatebook::picture {
@@ -70,7 +71,7 @@ class FrameDrawer final : public FramePainter {
   const timeline::ClipMotion* motion_;
   std::unique_ptr<Composition> composition_;
   std::vector<scene::MotionFrame> referenceFrames_;  // by motion
-  geometry::Camera camera_;                          // at the distance that the scene states
+  timeline::CameraPath camera_;                      // at the distance that the scene states
   timeline::CameraDistances distances_;
   TextureChecksums textureChecksums_;
   std::vector<std::size_t> lookOf_;  // by motion

@@ -117,7 +117,7 @@ bool PlayedScene::isHeld(std::size_t motion, std::int64_t frame) const {
 geometry::Camera PlayedScene::camera(std::size_t motion, std::int64_t frame,
                                      const geometry::Screen& screen, const Orbit& orbit) const {
   if (motion >= motionCount_) throw std::out_of_range("there is no such motion");
-  geometry::Camera camera = timeline::cameraOf(scene_, screen);
+  geometry::Camera camera = timeline::CameraPath(scene_, screen).at(frame);
   if (distances_) {
     const auto nearest = std::clamp<std::int64_t>(frame, 0, whole_->frameCount() - 1);
     camera = geometry::movedAway(camera, distances_->at(motion, nearest));

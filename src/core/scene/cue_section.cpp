@@ -4,6 +4,7 @@
 
 #include "base/document/problems.h"
 #include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -12,19 +13,16 @@ namespace {
 Cue cueFrom(const ValueReader& table) {
   Cue cue;
   readKeys(table, cueKeys(), cue);
-  if (!cue.text && cue.hold == 0 && cue.chapter.empty())
-    table.fail("[[cue]] needs text, hold or chapter");
+  if (!cue.text && cue.hold == 0 && cue.chapter.empty() && !cue.move)
+    table.fail("[[cue]] needs text, hold, chapter or move");
   return cue;
 }
 
 void readCues(const ValueReader& value, Spec& spec) {
-  const auto tables = value.tables("tables with the header [[cue]]");
-  if (tables.size() > kMaxCues) {
-    value.fail("a scene has up to " + std::to_string(kMaxCues) + " cues, not " +
-               std::to_string(tables.size()));
-  }
-  spec.cues.clear();
-  readEach(tables, [&](const ValueReader& table) { spec.cues.push_back(cueFrom(table)); });
+  spec.cues = tablesFrom(value, "tables with the header [[cue]]", cueFrom);
+  if (spec.cues.size() <= kMaxCues) return;
+  value.fail("a scene has up to " + std::to_string(kMaxCues) + " cues, not " +
+             std::to_string(spec.cues.size()));
 }
 
 /// Of those for the motion, only the ones at which it stands.

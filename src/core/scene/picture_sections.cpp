@@ -11,6 +11,7 @@
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
+#include "scene/source_locations.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -77,6 +78,17 @@ Section<Spec> clipSection() {
   return clip;
 }
 
+/// The ways in which a camera may see.
+enum class View { Whole, Nowhere, AlongUp };
+
+View viewOf(const Eigen::Vector3d& position, const Eigen::Vector3d& target,
+            const Eigen::Vector3d& up) {
+  const Eigen::Vector3d view = target - position;
+  if (view.norm() < kMinDistance) return View::Nowhere;
+  const double sine = view.stableNormalized().cross(up.stableNormalized()).norm();
+  return sine < kMinSine ? View::AlongUp : View::Whole;
+}
+
 }  // namespace
 
 std::span<const Section<Spec>> pictureSections() {
@@ -104,16 +116,35 @@ void checkOverlays(const Scene& scene) {
 
 void checkCamera(const Scene& scene) {
   // The defaults make a valid camera, so one of the keys that are present is at fault
-  const Eigen::Vector3d view = scene.camera.target - scene.cameraPosition;
-  if (view.norm() < kMinDistance) {
-    document::failAt(scene.locations.of({"camera.position", "camera.target", "camera"}),
-                     "camera.position and camera.target must be different points");
+  switch (viewOf(scene.cameraPosition, scene.camera.target, scene.camera.up)) {
+    case View::Nowhere:
+      document::failAt(scene.locations.of({"camera.position", "camera.target", "camera"}),
+                       "camera.position and camera.target must be different points");
+    case View::AlongUp:
+      document::failAt(
+          scene.locations.of({"camera.up", "camera.position", "camera.target", "camera"}),
+          "camera.up must not be parallel to the direction from camera.position to camera.target");
+    case View::Whole:
+      break;
   }
-  const double sine = view.stableNormalized().cross(scene.camera.up.stableNormalized()).norm();
-  if (sine < kMinSine) {
-    document::failAt(
-        scene.locations.of({"camera.up", "camera.position", "camera.target", "camera"}),
-        "camera.up must not be parallel to the direction from camera.position to camera.target");
+}
+
+void checkMoves(const Scene& scene) {
+  Eigen::Vector3d position = scene.cameraPosition, target = scene.camera.target;
+  for (std::size_t i = 0; i < scene.cues.size(); ++i) {
+    if (!scene.cues[i].move) continue;
+    const CameraMove& move = *scene.cues[i].move;
+    const Eigen::Vector3d before = position - target;
+    target = move.target.value_or(target);
+    position = move.position.value_or(target + before);
+    const View view = viewOf(position, target, scene.camera.up);
+    if (view == View::Whole) continue;
+    document::failAt(locationOf(scene, cueKey(i)),
+                     view == View::Nowhere
+                         ? "the camera's position and target must be different points, also after "
+                           "this cue"
+                         : "the camera's direction of view must not be parallel to camera.up, "
+                           "also after this cue");
   }
 }
 

@@ -59,6 +59,7 @@ Scene resolve(Spec spec, const MeshFiles& meshes) {
   scene.cameraPosition = scene.camera.position.value_or(defaultPosition(scene));
   document::Problems problems;
   problems.note([&] { checkCamera(scene); });
+  problems.note([&] { checkMoves(scene); });
   problems.note([&] { checkOverlays(scene); });
   if (scene.study) problems.note([&] { settleRuns(scene, shared); });
   if (scene.map) problems.note([&] { checkMap(scene); });

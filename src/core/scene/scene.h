@@ -46,13 +46,26 @@ struct ClipSettings {
   friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
 };
 
+/// A move of the camera, eased at both ends; what isn't stated stays. Its path goes round the
+/// target, and doesn't cross it.
+struct CameraMove {
+  std::optional<Eigen::Vector3d> position{};  ///< In the end, but for `orbit`. [m]
+  std::optional<Eigen::Vector3d> target{};    ///< In the end. [m]
+  std::optional<double> fieldOfViewDeg{};     ///< In the end, 1 to 170. [degrees]
+  double orbit = 0;  ///< Turn about the target and `up`, to the right as the camera sees it. [rad]
+  double over = 2;   ///< Length of the move, > 0. [s] of video
+
+  friend bool operator==(const CameraMove&, const CameraMove&) = default;
+};
+
 /// [[cue]]: what a clip says, does or is called from a moment on.
 struct Cue {
   Moment at{};
   /// The caption until the next cue with a text; empty for none. Without it, the one before stays.
   std::optional<std::string> text{};
-  double hold = 0;        ///< For so long the motion stands. [s] of video
-  std::string chapter{};  ///< Begins one of that name, unless it is empty.
+  double hold = 0;                     ///< For so long the motion stands. [s] of video
+  std::string chapter{};               ///< Begins one of that name, unless it is empty.
+  std::optional<CameraMove> move{};  ///< The camera begins to move so.
 
   friend bool operator==(const Cue&, const Cue&) = default;
 };

@@ -64,7 +64,7 @@ Spec readSpec(const ValueReader& file, Spec spec) {
   problems.throwIfAny();
   if (!file.find("title")) spec.title = oneLine(spec.name);
   spec.locations = document::locationsOf(file.node());
-  if (const auto cues = file.find("cue")) {
+  if (const auto cues = file.find("cue"); cues && !spec.cues.empty()) {
     std::size_t cue = 0;
     for (const ValueReader& table : cues->tables(""))
       spec.locations.byKey.emplace(cueKey(cue++), table.find("at").value_or(table).node().location);

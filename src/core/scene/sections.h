@@ -88,5 +88,8 @@ void checkOverlays(const Scene& scene);
 void checkSteps(const Scene& scene);
 /// Throws InputError if the camera has no direction of view, or one parallel to `up`.
 void checkCamera(const Scene& scene);
+/// Throws DocumentError if a cue's move leads the camera to where it has no direction of view, or
+/// one parallel to `up`.
+void checkMoves(const Scene& scene);
 
 }  // namespace rotatebook::scene

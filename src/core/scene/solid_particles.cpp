@@ -46,8 +46,9 @@ void requireSolids(const Solid& solid) {
   for (const BodyPart& part : solid.parts) {
     const body::Shape* shape = body::findShape(part.shape);
     if (shape == nullptr || shape->weights == nullptr) continue;
-    throw InputError("is of a body whose mass is in a few points, not within its surface; choose "
-                     "another model, such as \"exact\"");
+    throw InputError(
+        "is of a body whose mass is in a few points, not within its surface; choose "
+        "another model, such as \"exact\"");
   }
 }
 

@@ -67,8 +67,12 @@ TEST(Cues, AreOverriddenByTheirNumber) {
   EXPECT_EQ(scene.shownCues[0].time, 3);
 }
 
+TEST(Cues, AreLeftOutByAnEmptyList) {
+  EXPECT_THAT(sceneFrom("[[cue]]\nat = 2\ntext = 'a'", {"cue=[]"}).cues, IsEmpty());
+}
+
 TEST(Cues, MustBeSomething) {
-  EXPECT_EQ(errorOf("[[cue]]\nat = 2"), "a.toml:1:1: [[cue]] needs text, hold or chapter");
+  EXPECT_EQ(errorOf("[[cue]]\nat = 2"), "a.toml:1:1: [[cue]] needs text, hold, chapter or move");
   EXPECT_THAT(errorOf("[[cue]]\nat = 'flip'\ntext = 'a'"),
               AllOf(HasSubstr("a.toml:2:6: cue.at must be a time of the motion"),
                     HasSubstr("such as \"flip 1\"")));
@@ -78,6 +82,25 @@ TEST(Cues, MustBeSomething) {
                 HasSubstr("must be a time of the motion"))
         << at;
   EXPECT_THAT(errorOf("[[caption]]\ntext = 'a'"), HasSubstr("[[cue]]"));
+}
+
+TEST(Cues, MoveTheCamera) {
+  const Cue cue = cuesFrom("[[cue]]\nmove = { orbit = '90 deg', position = [0, 0, 1] }\n")[0];
+  ASSERT_TRUE(cue.move.has_value());
+  EXPECT_NEAR(cue.move->orbit, 1.5707963267948966, 1e-16);  // measured 0
+  EXPECT_EQ(cue.move->position, Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(cue.move->over, 2);
+  EXPECT_EQ(cue.move->target, std::nullopt);
+}
+
+TEST(Cues, RefuseMovesToWhereTheCameraSeesNothing) {
+  EXPECT_EQ(
+      errorOf("[[cue]]\nat = 1\nmove = { position = [0, 2, 0] }\n"),
+      "a.toml:2:6: the camera's direction of view must not be parallel to camera.up, also after "
+      "this cue");
+  EXPECT_EQ(errorOf("[[cue]]\nat = 1\nmove = { position = [1, 2, 0], target = [1, 2, 0] }\n"),
+            "a.toml:2:6: the camera's position and target must be different points, also after "
+            "this cue");
 }
 
 }  // namespace

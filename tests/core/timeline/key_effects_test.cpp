@@ -35,6 +35,7 @@ const std::map<std::string, std::string> kOwnValues{
     {"simulation.particles", "'equimomental'"},
     {"initial.tilt", "[0.3, 'y']"},
     {"cue.N.at", "0.1"},
+    {"cue.N.move", "{ orbit = 1 }"},
     {"clip.size", "[64, 36]"},
     {"clip.fps", "24"},
     {"clip.speed", "0.5"},

@@ -1,4 +1,4 @@
-// The keys of [[cue]]: captions in time, holds and chapters.
+// The keys of [[cue]]: captions in time, holds, chapters and moves of the camera.
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/keys/moments.h"
@@ -9,6 +9,20 @@ namespace {
 
 constexpr NumberRange kHolds{"a time of the video, 0 or more seconds", 0, document::kPositive.max,
                              Dimension::Time};
+
+constexpr const char* kExpectedMove =
+    "a table such as { orbit = \"90 deg\", over = 3 }, with position, target, field_of_view_deg, "
+    "orbit and over";
+
+CameraMove moveFrom(const ValueReader& value) {
+  CameraMove move;
+  readKeys(value, cameraMoveKeys(), move);
+  return move;
+}
+
+std::string moveText(const CameraMove& move) {
+  return inlineTable(cameraMoveKeys(), move);
+}
 
 }  // namespace
 
@@ -29,6 +43,11 @@ Keys<Cue> cueKeys() {
                                                  {.meaning = "name of the chapter that begins",
                                                   .byDefault = "none begins",
                                                   .affects = Affects::Text}),
+      own<&Cue::move, moveFrom, moveText>(
+          "move", kExpectedMove,
+          {.meaning = "a move of the camera that begins, see [moves](#moves-of-the-camera)",
+           .byDefault = "none",
+           .affects = Affects::Picture}),
   };
   return keys;
 }

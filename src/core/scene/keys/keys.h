@@ -22,6 +22,7 @@ Keys<Panel> panelKeys();
 
 Keys<ClipSettings> clipKeys();
 Keys<Cue> cueKeys();
+Keys<CameraMove> cameraMoveKeys();
 Keys<EncodingSettings> videoKeys();
 Keys<CameraSettings> cameraKeys();
 Keys<BookSettings> bookKeys();

@@ -154,23 +154,23 @@ std::string wordsText(const Words& words) {
 
 std::string captionFrom(const ValueReader& value, const ValueForm& form) {
   if (!std::holds_alternative<TomlNode::Array>(value.node().value)) return linesFrom(value, form);
-  value.fail("caption is the text from the beginning on; those that follow are in [[cue]]: at and "
-             "text");
+  value.fail(
+      "caption is the text from the beginning on; those that follow are in [[cue]]: at and "
+      "text");
 }
 
 }  // namespace
 
 Keys<Spec> titleKeys() {
-  static constexpr auto keys =
-      allOf(Affects::Text,
-            std::array{
-                text<&Spec::title>("title", kLongestTitle,
-                                   {.meaning = "stored in the clip, shown by the overlay `caption`",
-                                    .byDefault = "the file's name"}),
-                key<&Spec::caption, captionFrom, tomlString>(
-                    "caption", textForm(kLongestCaption),
-                    {.meaning = "likewise", .byDefault = "empty"}),
-            });
+  static constexpr auto keys = allOf(
+      Affects::Text,
+      std::array{
+          text<&Spec::title>("title", kLongestTitle,
+                             {.meaning = "stored in the clip, shown by the overlay `caption`",
+                              .byDefault = "the file's name"}),
+          key<&Spec::caption, captionFrom, tomlString>(
+              "caption", textForm(kLongestCaption), {.meaning = "likewise", .byDefault = "empty"}),
+      });
   return keys;
 }
 
@@ -221,6 +221,22 @@ Keys<CameraSettings> cameraKeys() {
               {.meaning =
                    "each: in panels each body is seen from a distance in proportion to its size"}),
       });
+  return keys;
+}
+
+Keys<CameraMove> cameraMoveKeys() {
+  static constexpr NumberRange kOrbits{"an angle from -1000 to 1000 rad", -1000, 1000,
+                                       Dimension::Angle};
+  static constexpr NumberRange kMoves{"a time of the video, more than 0 s", document::kPositive.min,
+                                      document::kPositive.max, Dimension::Time};
+  static constexpr auto keys =
+      allOf(Affects::Picture, std::array{
+                                  vector<&CameraMove::position>("position", kPoints),
+                                  vector<&CameraMove::target>("target", kPoints),
+                                  number<&CameraMove::fieldOfViewDeg>("field_of_view_deg", kAngles),
+                                  number<&CameraMove::orbit>("orbit", kOrbits),
+                                  number<&CameraMove::over>("over", kMoves),
+                              });
   return keys;
 }
 

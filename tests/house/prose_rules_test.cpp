@@ -58,7 +58,7 @@ TEST(ProseRules, HoldInAllOfTheSource) {
 
 /// Returns the captions in a scene's text in which a line's end may part a number from its unit.
 std::vector<std::string> partedNumbersIn(const std::string& text) {
-  static const std::regex kParted(R"(^caption = .*[0-9] (%|(kg|g|ms|s|m|cm|mm|rpm|Hz)\b))");
+  static const std::regex kParted(R"(^(caption|text) = .*[0-9] (%|(kg|g|ms|s|m|cm|mm|rpm|Hz)\b))");
   std::vector<std::string> parted;
   for (const std::string& line : linesOf(text)) {
     if (std::regex_search(line, kParted)) parted.push_back(line);
@@ -69,6 +69,7 @@ std::vector<std::string> partedNumbersIn(const std::string& text) {
 TEST(ProseRules, KeepNumbersOfCaptionsBesideTheirUnits) {
   EXPECT_FALSE(partedNumbersIn("caption = \"It gains 6 % of it.\"").empty());
   EXPECT_FALSE(partedNumbersIn("caption = \"In steps of 2 ms.\"").empty());
+  EXPECT_FALSE(partedNumbersIn("text = \"In steps of 2 ms.\"").empty());
   EXPECT_TRUE(partedNumbersIn("caption = \"The 2 methods. 6\u00a0% of it.\"").empty());
   std::size_t seen = 0;
   for (const auto& entry :

@@ -12,7 +12,7 @@ after(closeBrowser);
 async function opened(options) {
   const live = await open(options);
   await live.page.locator("summary").click();
-  return {...live, choose: (name, value) => live.page.locator(`input[name=rb-${name}][value="${value}"]`).check({force: true})};
+  return {...live, choose: (name, value) => live.page.locator(`input[name=rb-${name}][value="${value}"]`).check()};
 }
 
 /** As opened(), with the book of springs, which has every knob. */

@@ -23,7 +23,7 @@ for (const width of [390, 768, 1280]) {
     const {page, problems, close} = await open({viewport: {width, height: 800}});
     await page.screenshot({path: path.join(kOutput, `first-${width}.png`)});
     await page.locator("summary").click();
-    await page.locator("input[name=rb-books][value=same]").check({force: true});
+    await page.locator("input[name=rb-books][value=same]").check();
     assert.deepEqual(await violations(page), []);
     await page.screenshot({path: path.join(kOutput, `more-${width}.png`), fullPage: true});
     await page.locator("[data-do=predict]").click();

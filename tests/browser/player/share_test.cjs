@@ -18,8 +18,8 @@ async function played(page) {
   await page.evaluate(() => rotatebook.player.seek(50));
   await page.keyboard.press("Shift+ArrowRight");
   await page.keyboard.press("ArrowRight");
-  await page.locator("input[name=rb-books][value=same]").check({force: true});
-  await page.locator("input[name=rb-model][value=matrix]").check({force: true});
+  await page.locator("input[name=rb-books][value=same]").check();
+  await page.locator("input[name=rb-model][value=matrix]").check();
   const length = page.locator(".rb-row", {hasText: "Length"}).locator("input[type=text]");
   await length.fill("3");
   await length.press("Enter");

@@ -168,8 +168,7 @@ PrincipalAxes withEqualMoments(PrincipalAxes axes) {
 }
 
 void clearRounding(Eigen::Matrix3d& tensor) {
-  constexpr double kRounding = 1e-15;  // of the largest moment; measured 2e-16
-  const double least = kRounding * tensor.diagonal().maxCoeff();
+  const double least = 1e-15 * tensor.diagonal().maxCoeff();  // Measured 2e-16.
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       if (i != j && std::fabs(tensor(i, j)) < least) tensor(i, j) = 0;

@@ -99,6 +99,11 @@ const std::vector<Twin> kTwins{
     {"comparisons/axes",
      {"panel.2.initial.angular_velocity=[4, 0, 0]", "panel.2.initial.tilt=[0.014, \"z\"]"}},
     {"comparisons/bursts", kNormalized},
+    {"comparisons/energies",
+     {"panel.0.initial.angular_velocity=[4, 0, 0]", "panel.0.initial.tilt=[0.003, \"z\"]"}},
+    {"comparisons/energies", {"panel.1.initial.angular_velocity=[0, 4, 0]"}},
+    {"comparisons/energies",
+     {"panel.2.initial.angular_velocity=[4, 0, 0]", "panel.2.initial.tilt=[0.003, \"z\"]"}},
     {"comparisons/engines", {"panel.0.simulation.integrator=\"rk4\""}},
     {"comparisons/engines", {"panel.1.simulation.integrator=\"rk4\""}},
     {"comparisons/engines", {"panel.2.simulation.integrator=\"rk4\""}},
@@ -155,6 +160,7 @@ const std::vector<Twin> kTwins{
     {"figures/figa-exact", {"simulation.model=\"quaternion\"", "simulation.integrator=\"euler\""}},
     {"figures/figa-normalized-euler", {"simulation.substeps=64"}},
     {"figures/figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
+    {"figures/figh-rolling", {"initial.angular_velocity=[0, 0, 5]", "initial.tilt=[0.01, \"x\"]"}},
 };
 
 TEST(Figures, AreAllThere) {

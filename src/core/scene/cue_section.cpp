@@ -15,6 +15,9 @@ Cue cueFrom(const ValueReader& table) {
   readKeys(table, cueKeys(), cue);
   if (!cue.text && cue.hold == 0 && cue.chapter.empty() && !cue.move)
     table.fail("[[cue]] needs text, hold, chapter or move");
+  if (cue.move && !cue.move->position && !cue.move->target && !cue.move->fieldOfViewDeg &&
+      cue.move->orbit == 0)
+    table.fail("cue.move needs position, target, field_of_view_deg or orbit");
   return cue;
 }
 

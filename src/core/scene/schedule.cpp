@@ -75,6 +75,12 @@ bool hasMotions(const Scene& scene) {
          std::ranges::all_of(scene.motions, isThere);
 }
 
+/// Returns whether a stretch needs the motion's time at the clip's end, which it changes itself.
+bool isOfUnknownEnd(const SpeedStretch& stretch) {
+  return (stretch.begin && stretch.begin->event == Event::End) ||
+         (stretch.end && stretch.end->event == Event::End && stretch.end->offset != 0);
+}
+
 /// A time at which the motion stands, and for how long.
 struct Hold {
   double at;      // of the motion [s]
@@ -191,6 +197,11 @@ class Scheduler {
     for (std::size_t i = 0; i < scene_.cues.size(); ++i)
       scene_.shownCues.push_back({i, at(cueKey(i), scene_.cues[i].at)});
     for (const SpeedStretch& stretch : stretchesOf(scene_)) {
+      if (isOfUnknownEnd(stretch)) {
+        refuse(
+            "names a time before or after the end, or begins there; the motion's end follows from "
+            "the speeds, so state a time, another event, or to = \"end\" alone");
+      }
       if (stretch.begin) begins_[&stretch] = at("clip.speed", *stretch.begin);
       if (stretch.end) ends_[&stretch] = at("clip.speed", *stretch.end);
     }
@@ -268,7 +279,7 @@ class Scheduler {
       if (all[i].frame != all[i - 1].frame || all[i].frame == scene_.clip.frameCount()) continue;
       document::failAt(locationOf(scene_, cueKey(all[i].cue)),
                        "two cues come in frame " + std::to_string(all[i].frame) + ", at " +
-                           roundedText(all[i].time, 4) + " s of the motion");
+                           roundedText(all[i].time, 4) + " s of the motion; make one of them");
     }
   }
 

@@ -73,6 +73,8 @@ TEST(Cues, AreLeftOutByAnEmptyList) {
 
 TEST(Cues, MustBeSomething) {
   EXPECT_EQ(errorOf("[[cue]]\nat = 2"), "a.toml:1:1: [[cue]] needs text, hold, chapter or move");
+  EXPECT_THAT(errorOf("[[cue]]\nat = 2\nmove = { over = 3 }"),
+              HasSubstr("cue.move needs position, target, field_of_view_deg or orbit"));
   EXPECT_THAT(errorOf("[[cue]]\nat = 'flip'\ntext = 'a'"),
               AllOf(HasSubstr("a.toml:2:6: cue.at must be a time of the motion"),
                     HasSubstr("such as \"flip 1\"")));

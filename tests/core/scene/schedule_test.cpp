@@ -175,7 +175,7 @@ TEST(Schedule, RefusesWhatCantBe) {
   EXPECT_EQ(errorOfFlipping(cue("9 s before flip 1")),
             "a.toml:10:6: the cue comes 6.58 s before the start");
   EXPECT_THAT(errorOfFlipping(cue("3 s") + cue("2.98 s")),
-              HasSubstr("two cues come in frame 30, at 3 s of the motion"));
+              HasSubstr("two cues come in frame 30, at 3 s of the motion; make one of them"));
   EXPECT_THAT(errorOfFlipping("speed = [{ from = 2, to = 'flip 1', value = 0 }]\n"),
               HasSubstr("never comes to the event"));
   EXPECT_THAT(errorOfFlipping("speed = [{ from = 'flip 2', to = 'flip 1', value = 0.5 }]\n"),
@@ -183,6 +183,13 @@ TEST(Schedule, RefusesWhatCantBe) {
   EXPECT_THAT(errorOfFlipping("speed = [{ from = 0, to = 5, value = 2 }, { from = 'flip 1', to = "
                               "'flip 2', value = 0.5 }]\n"),
               HasSubstr("a stretch of clip.speed begins before the one before it has ended"));
+  for (const char* ends : {"from = '1 s before end', to = 'end'", "from = 'end', to = 'end'",
+                           "from = 1, to = '1 s before end'", "from = 1, to = '1 s after end'"}) {
+    EXPECT_THAT(
+        errorOfFlipping("speed = [{ " + std::string(ends) + ", value = 0.5 }]\n"),
+        HasSubstr("a.toml:9:9: a stretch of clip.speed names a time before or after the end"))
+        << ends;
+  }
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ int encoderThreads(const scene::Scene& scene, const pipeline::RenderOptions& opt
   return threads;
 }
 
-/// Returns the videos, tables, captions and poster that a render left, or an earlier run if it was done.
+/// Returns the videos, tables, captions and poster that a render left, or an earlier run if it was
+/// done.
 std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
                               const pipeline::RenderOptions& options) {
   std::vector<fs::path> files;

@@ -61,7 +61,7 @@ class PlayedScene {
 
   scene::Scene scene_;
   std::size_t motionCount_;
-  std::vector<scene::MotionFrame> frames_;  // of the camera, by motion
+  std::vector<scene::MotionFrame> frames_;               // of the camera, by motion
   std::optional<timeline::SceneSimulation> simulation_;  // until its samples are in `whole_`
   std::exception_ptr failure_;
   std::optional<timeline::ClipMotion> whole_;

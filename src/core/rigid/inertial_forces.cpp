@@ -17,9 +17,9 @@ ForcesPerMass forcesIn(const Turning& frame, const Eigen::Matrix3d& frameFromBod
   const Vector3d& O = frame.rate;
   const Vector3d X = frameFromBody * place;
   const Vector3d V = frameFromBody * body.rate.cross(place) - O.cross(X);
-  return {-O.cross(O.cross(X)), -2 * O.cross(V), -frame.acceleration.cross(X),
-          frameFromBody *
-              (body.acceleration.cross(place) + body.rate.cross(body.rate.cross(place)))};
+  return {
+      -O.cross(O.cross(X)), -2 * O.cross(V), -frame.acceleration.cross(X),
+      frameFromBody * (body.acceleration.cross(place) + body.rate.cross(body.rate.cross(place)))};
 }
 
 }  // namespace rotatebook::rigid

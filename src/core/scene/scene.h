@@ -63,8 +63,8 @@ struct Cue {
   Moment at{};
   /// The caption until the next cue with a text; empty for none. Without it, the one before stays.
   std::optional<std::string> text{};
-  double hold = 0;                     ///< For so long the motion stands. [s] of video
-  std::string chapter{};               ///< Begins one of that name, unless it is empty.
+  double hold = 0;                   ///< For so long the motion stands. [s] of video
+  std::string chapter{};             ///< Begins one of that name, unless it is empty.
   std::optional<CameraMove> move{};  ///< The camera begins to move so.
 
   friend bool operator==(const Cue&, const Cue&) = default;

@@ -27,7 +27,7 @@ struct OverlayContext {
   const physics::Trajectory& trajectory;
   const Typesetter& type;
   Scale scale;
-  double energyTop = 0;  ///< See Viewport::energyTop.
+  double energyTop = 0;                                    ///< See Viewport::energyTop.
   scene::MotionFrame frame{scene::ReferenceFrame::World};  ///< Of the camera.
 
   /// Returns an empty canvas of the picture's size.

@@ -8,7 +8,7 @@
 #include "image/image.h"
 #include "render/gl/frame_target.h"
 #include "render/gl/shader_program.h"
-#include "render/renderer.h"
+#include "render/render_settings.h"
 
 namespace rotatebook::render {
 

@@ -95,8 +95,10 @@ TEST(ReferenceFrame, ThatTurnsFollowsFromAMomentum) {
   settings.initial.kind = physics::InitialSpin::Kind::AngularMomentum;
   settings.initial.value = {0, 0.02, 0};
   const double moment = settings.body.solidInertia().y();
-  EXPECT_NEAR(MotionFrame(ReferenceFrame::Turning, settings).turningAt({}).rate.y(), 0.02 / moment, 1e-13);
-  EXPECT_EQ(MotionFrame(ReferenceFrame::World, settings).turningAt({}).rate, Eigen::Vector3d::Zero());
+  EXPECT_NEAR(MotionFrame(ReferenceFrame::Turning, settings).turningAt({}).rate.y(), 0.02 / moment,
+              1e-13);
+  EXPECT_EQ(MotionFrame(ReferenceFrame::World, settings).turningAt({}).rate,
+            Eigen::Vector3d::Zero());
 }
 
 }  // namespace

@@ -51,6 +51,7 @@ class LiveScene {
       delete tree.cue;
       if (Array.isArray(tree.clip?.speed) && tree.clip.speed.some(({from, to}) => kEvent.test(from) || kEvent.test(to))) delete tree.clip.speed;
       delete tree.study;
+      delete tree.map;
       if (tree.grid) delete tree.grid.expect;
       for (const panel of tree.panel ?? []) delete panel.expect;
       if (tree.title && !tree.title.endsWith(kChanged)) {
@@ -87,8 +88,12 @@ class LiveScene {
 
   /** Returns the keys of a book's start. */
   startOf(book) {
-    const own = this.explicit.panel?.[book]?.initial;
-    return clone(own?.angular_velocity || own?.angular_momentum ? own : {...this.explicit.initial, ...own});
+    return clone(LiveScene.#startFrom(this.explicit.initial, this.explicit.panel?.[book]?.initial));
+  }
+
+  /** A panel's own start, with the scene's spin and other keys unless it states a spin. */
+  static #startFrom(initial, own) {
+    return own?.angular_velocity || own?.angular_momentum ? own : {...initial, ...own};
   }
 
   /** A start has one of several keys for the spin: only those in `initial` stay. */
@@ -185,8 +190,7 @@ class LiveScene {
       delete tree.panel;
       for (const section of kPanelSections) {
         if (!panel[section]) continue;
-        const merged = section === "initial" ? {...panel.initial} : {...tree[section], ...panel[section]};
-        tree[section] = merged;
+        tree[section] = section === "initial" ? LiveScene.#startFrom(tree.initial, panel.initial) : {...tree[section], ...panel[section]};
       }
       if (panel.frame) tree.camera = {...tree.camera, frame: panel.frame};
       if (tree.simulation?.model === "exact") delete tree.simulation.integrator;

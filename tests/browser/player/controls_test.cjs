@@ -2,8 +2,10 @@
 "use strict";
 
 const assert = require("node:assert/strict");
+const fs = require("node:fs");
 const {test, before, after, describe} = require("node:test");
 const {startBrowser, closeBrowser, open, render, recordOf, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
+const {kScenes} = require("./shipped.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -46,6 +48,25 @@ describe("choices", () => {
       assert.deepEqual((await sceneOf(page)).initial.angular_velocity, velocity);
       assert.equal(await frameOf(page), 0);
     }
+    await close();
+  });
+
+  test("one of two books that start with the scene's spin and a tilt of their own", async () => {
+    const {page, problems, close, choose} = await opened();
+    const panels = '[[panel]]\nlabel = "a"\ninitial.tilt = [0.1, "z"]\n[[panel]]\nlabel = "b"\ninitial.tilt = [0.2, "z"]\n';
+    assert.ok(await load(page, `title = "t"\n[initial]\nangular_velocity = [5, 0, 0]\n${panels}`), await messageOf(page));
+    await choose("books", "one");
+    assert.deepEqual((await sceneOf(page)).initial, {angular_velocity: [5, 0, 0], tilt: [0.1, "z"]});
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
+  test("one of the books of a map, which names them", async () => {
+    const {page, problems, close, choose} = await opened();
+    assert.ok(await load(page, fs.readFileSync(kScenes.get("map-luck"), "utf8")), await messageOf(page));
+    await choose("books", "one");
+    assert.equal((await sceneOf(page)).panel, undefined);
+    assert.deepEqual(problems, []);
     await close();
   });
 

@@ -1,15 +1,13 @@
 #include "rigid/inertial_forces.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 namespace rotatebook::rigid {
 
 using Eigen::Vector3d;
 
-Turning freeTurning(const Eigen::Matrix3d& inertia, const Vector3d& rate) {
-  const Vector3d momentum = inertia * rate;
-  return {rate, inertia.inverse() * momentum.cross(rate)};
+Turning freeTurning(const PrincipalAxes& inertia, const Vector3d& rate) {
+  return {rate, inertia.angularVelocity(inertia.angularMomentum(rate).cross(rate))};
 }
 
 ForcesPerMass forcesIn(const Turning& frame, const Eigen::Matrix3d& frameFromBody,

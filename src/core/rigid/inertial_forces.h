@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "rigid/inertia.h"
+
 namespace rotatebook::rigid {
 
 /// The rotation of a rigid body, or of a frame of reference, about the origin at one moment, along
@@ -13,8 +15,8 @@ struct Turning {
 };
 
 /// Returns the rotation without torque of a body with this inertia: its acceleration is
-/// I^-1 (I w x w), Euler's equation. [kg m^2], [rad/s]
-Turning freeTurning(const Eigen::Matrix3d& inertia, const Eigen::Vector3d& rate);
+/// I^-1 (I w x w), Euler's equation. Both along the body's axes. [rad/s]
+Turning freeTurning(const PrincipalAxes& inertia, const Eigen::Vector3d& rate);
 
 /// The forces on a mass in a frame that turns, for each kilogram of it, along the frame's axes.
 /// Their sum is the mass's acceleration in the frame. [N/kg]

@@ -22,11 +22,8 @@ std::vector<Eigen::Vector3d> weightsOf(const Motion& motion) {
 }  // namespace
 
 BodyForces::BodyForces(const Motion& motion, const MotionFrame& frame)
-    : frame_(frame), places_(weightsOf(motion)) {
-  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
-  inertia_ =
-      axes.bodyFromPrincipal * axes.moments.asDiagonal() * axes.bodyFromPrincipal.transpose();
-  if (places_.empty()) places_ = physics::equimomentalPlaces(axes, motion.body.mass);
+    : frame_(frame), places_(weightsOf(motion)), inertia_(physics::modelInertia(motion)) {
+  if (places_.empty()) places_ = physics::equimomentalPlaces(inertia_, motion.body.mass);
 }
 
 std::vector<rigid::ForcesPerMass> BodyForces::at(const physics::Sample& seen) const {

@@ -16,13 +16,13 @@ class BodyForces {
 
   const std::vector<Eigen::Vector3d>& places() const { return places_; }  ///< In body axes. [m]
   /// Returns the forces on each mass, of a body that isn't rigid as if it were at this moment;
-  /// `seen` is a sample in the frame. Throws nothing.
+  /// `seen` is a sample in the frame.
   std::vector<rigid::ForcesPerMass> at(const physics::Sample& seen) const;
 
  private:
   MotionFrame frame_;
   std::vector<Eigen::Vector3d> places_;
-  Eigen::Matrix3d inertia_;
+  rigid::PrincipalAxes inertia_;
 };
 
 }  // namespace rotatebook::scene

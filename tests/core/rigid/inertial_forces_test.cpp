@@ -27,7 +27,9 @@ struct WeightedDisc {
   ExactRotation motion{principalAxes(inertia),
                        Vector3d(0, kRate* std::cos(0.01), kRate* std::sin(0.01))};
 
-  Turning at(double time) const { return freeTurning(inertia, motion.angularVelocityBodyAt(time)); }
+  Turning at(double time) const {
+    return freeTurning(principalAxes(inertia), motion.angularVelocityBodyAt(time));
+  }
   Matrix3d attitudeAt(double time) const { return motion.at(time).worldFromBody; }
 };
 

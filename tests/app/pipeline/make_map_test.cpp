@@ -68,21 +68,6 @@ class MakeMap : public ::testing::Test {
     return bytes;
   }
 
-  /// Makes tiles until `count` are done.
-  void stopAfter(std::size_t count, const scene::Scene& scene) const {
-    std::atomic<bool> stop = false;
-    MapOptions options;
-    options.execution.threads = 1;
-    options.execution.stop = &stop;
-    options.execution.progress = [&](std::size_t done, std::size_t) {
-      if (done >= count) stop = true;
-    };
-    const MadeMap made = make(scene, options);
-    EXPECT_FALSE(made.isWhole);
-    EXPECT_GE(made.finished, count);
-    EXPECT_LT(made.finished, made.tiles);
-  }
-
   static MapOptions resuming() {
     MapOptions options;
     options.resume = true;
@@ -130,14 +115,45 @@ TEST_F(MakeMap, MakesNoPartOfAMapThatIsThere) {
   EXPECT_FALSE(fs::exists(files().tiles));
 }
 
-TEST_F(MakeMap, GivesTheSameBytesAfterAStop) {
+TEST_F(MakeMap, GivesTheSameBytesAfterStops) {
   const auto whole = bytesAfter(mapScene(), {});
-  const scene::Scene slow = mapScene();
-  stopAfter(2, slow);
-  const MadeMap made = make(slow, resuming());
-  EXPECT_GE(made.found, 2U);
+  MapOptions part;
+  part.part = store::ClipPart{1, 3};
+  EXPECT_EQ(make(mapScene(), part).finished, 2U);
+
+  std::atomic<bool> stop = true;
+  MapOptions options = resuming();
+  options.execution = {1, &stop};
+  const MadeMap before = make(mapScene(), options);
+  EXPECT_FALSE(before.isWhole);
+  EXPECT_EQ(before.found, 2U);
+  EXPECT_EQ(before.finished, 2U);
+  EXPECT_EQ(before.tiles, 8U);
+
+  // A stop in between comes after any number of tiles, even after the last.
+  stop = false;
+  options.execution.progress = [&](std::size_t done, std::size_t) { stop = done > 0; };
+  const MadeMap between = make(mapScene(), options);
+  EXPECT_EQ(between.isWhole, between.finished == between.tiles);
+  EXPECT_GE(between.finished, 3U);
+  const MadeMap made = make(mapScene(), resuming());
+  EXPECT_EQ(made.found, between.finished);
   EXPECT_EQ(made.finished, 8U);
-  EXPECT_EQ(bytesAfter(slow, resuming()), whole);
+  EXPECT_EQ(bytesAfter(mapScene(), resuming()), whole);
+}
+
+// A tile of these runs takes hours.
+TEST_F(MakeMap, KeepsNoTileThatAStopCutShort) {
+  const scene::Scene scene = mapScene({"map.duration=1e6"});
+  std::atomic<bool> stop = false;
+  MapOptions options;
+  options.execution = {1, &stop};
+  int calls = 0;
+  options.execution.progress = [&](std::size_t, std::size_t) { stop = ++calls > 2; };
+  const MadeMap made = make(scene, options);
+  EXPECT_FALSE(made.isWhole);
+  EXPECT_EQ(made.finished, 0U);
+  EXPECT_EQ(make(scene, options).found, 0U);
 }
 
 TEST_F(MakeMap, MakesDamagedTilesAgain) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace rotatebook::overlay {
@@ -83,7 +84,8 @@ BodyBox::BodyBox(const physics::Cuboid& body, const physics::Cage& cage)
   const Eigen::Vector3d half = body.size / 2;
   const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
   map_ = (cage.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
-  boxFromWorld_ = (map_ * half.asDiagonal()).inverse();
+  worldFromBox_ = map_ * half.asDiagonal();
+  boxFromWorld_ = worldFromBox_.inverse();
 }
 
 bool BodyBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
@@ -93,6 +95,23 @@ bool BodyBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) co
   const double enters = a.min(b).maxCoeff(), leaves = a.max(b).minCoeff();
   constexpr double kTouching = 1e-6;
   return enters > 0 && enters < leaves && enters < 1 - kTouching;
+}
+
+std::vector<std::vector<Eigen::Vector3d>> BodyBox::sidesFacing(const Eigen::Vector3d& eye) const {
+  const Eigen::Vector3d start = boxFromWorld_ * (eye - centre_);
+  std::vector<std::vector<Eigen::Vector3d>> sides;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(start[axis]) > 1)) continue;
+    std::vector<Eigen::Vector3d>& side = sides.emplace_back();
+    for (const auto& [a, b] : {std::pair{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}) {
+      Eigen::Vector3d corner;
+      corner[axis] = std::copysign(1, start[axis]);
+      corner[(axis + 1) % 3] = a;
+      corner[(axis + 2) % 3] = b;
+      side.emplace_back(centre_ + worldFromBox_ * corner);
+    }
+  }
+  return sides;
 }
 
 std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& box,

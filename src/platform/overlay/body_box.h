@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -21,11 +22,14 @@ class BodyBox {
   const Eigen::Vector3d& centre() const { return centre_; }
   /// Returns whether `point` is invisible to a camera at `eye` because it is in or behind the box.
   bool hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const;
+  /// Returns the corners of the sides that face a camera at `eye`, each once round.
+  std::vector<std::vector<Eigen::Vector3d>> sidesFacing(const Eigen::Vector3d& eye) const;
 
  private:
   Eigen::Matrix3d map_;
   Eigen::Vector3d centre_;
-  Eigen::Matrix3d boxFromWorld_;  // to coordinates in which the box reaches from -1 to 1
+  Eigen::Matrix3d worldFromBox_;  // from coordinates in which the box reaches from -1 to 1
+  Eigen::Matrix3d boxFromWorld_;
 };
 
 /// Projects an arrow that begins within the body; nothing if an end isn't in front of the camera.

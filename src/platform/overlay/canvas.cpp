@@ -113,6 +113,13 @@ struct Canvas::Parts {
     cairo_stroke(cairo.get());
   }
 
+  void polygon(std::span<const Point> corners) const {
+    cairo_new_sub_path(cairo.get());
+    for (const Point& corner : corners)
+      cairo_line_to(cairo.get(), within(corner).x(), within(corner).y());
+    cairo_close_path(cairo.get());
+  }
+
   void fill(const Box& hull, const Fill& fill) {
     touch(hull);
     setColour(cairo.get(), ink(fill.colour), fill.opacity);
@@ -152,10 +159,23 @@ void Canvas::lines(std::span<const Point> pairs, const Pen& pen) {
 
 void Canvas::area(std::span<const Point> corners, const Fill& fill) {
   if (corners.size() < 3) return;
-  for (const Point& corner : corners) {
-    cairo_line_to(parts_->cairo.get(), within(corner).x(), within(corner).y());
-  }
+  parts_->polygon(corners);
   parts_->fill(hullOf(corners), fill);
+}
+
+void Canvas::areaWithout(std::span<const std::vector<Point>> holes, std::span<const Point> corners,
+                         const Fill& fill) {
+  if (corners.size() < 3) return;
+  cairo_t* cairo = parts_->cairo.get();
+  cairo_save(cairo);
+  parts_->polygon(corners);
+  cairo_clip(cairo);
+  const Box hull = hullOf(corners);
+  cairo_rectangle(cairo, hull.x, hull.y, hull.width, hull.height);
+  for (const std::vector<Point>& hole : holes) parts_->polygon(hole);
+  cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
+  parts_->fill(hull, fill);
+  cairo_restore(cairo);
 }
 
 void Canvas::disc(const Point& centre, double radius, const Fill& fill) {

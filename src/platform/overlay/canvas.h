@@ -46,6 +46,9 @@ class Canvas {
   void lines(std::span<const Point> pairs, const Pen& pen);
   /// Fills a polygon.
   void area(std::span<const Point> corners, const Fill& fill);
+  /// Fills a polygon but for its parts within `holes`, polygons that don't overlap.
+  void areaWithout(std::span<const std::vector<Point>> holes, std::span<const Point> corners,
+                   const Fill& fill);
   void disc(const Point& centre, double radius, const Fill& fill);
   /// Fills a rectangle with round corners.
   void roundedBox(const Box& box, double radius, const Fill& fill);

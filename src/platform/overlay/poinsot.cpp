@@ -79,8 +79,35 @@ struct Rolling {
   }
   /// Returns whether a point of the ellipsoid is on its side away from the camera.
   bool isFar(const Eigen::Vector3d& point) const { return unitOf(point).dot(unitOf(eye)) < 1; }
-  bool isBeyondPlane() const { return (eye - foot).dot(plane.col(2)) > 0; }
+  /// Returns how far a point is beyond the plane, as the centre isn't. [m]
+  double beyondPlane(const Eigen::Vector3d& point) const {
+    return (point - foot).dot(plane.col(2));
+  }
+  bool isBeyondPlane() const { return beyondPlane(eye) > 0; }
 };
+
+/// Returns those points that are in front of the camera.
+std::vector<Point> projected(const View& view, const Curve& curve) {
+  std::vector<Point> points;
+  for (const Eigen::Vector3d& point : curve) {
+    if (const auto seen = view.projector(point)) points.push_back(*seen);
+  }
+  return points;
+}
+
+/// Returns the part of a convex polygon on the camera's side of the plane.
+Curve beforePlane(const Curve& corners, const Rolling& rolling) {
+  const double side = rolling.isBeyondPlane() ? 1 : -1;
+  Curve part;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector3d& a = corners[i];
+    const Eigen::Vector3d& b = corners[(i + 1) % corners.size()];
+    const double atA = side * rolling.beyondPlane(a), atB = side * rolling.beyondPlane(b);
+    if (atA >= 0) part.push_back(a);
+    if (atA * atB < 0) part.emplace_back(a + atA / (atA - atB) * (b - a));
+  }
+  return part;
+}
 
 /// Draws a curve; where `isFaint` says so of the middle of two points, faint.
 template <typename IsFaint>
@@ -199,10 +226,7 @@ void PoinsotRolling::drawEllipsoid(const View& view, const Rolling& rolling) con
     const Eigen::Vector3d a = eye.unitOrthogonal(), b = eye.normalized().cross(a);
     const double size = std::sqrt(1 - 1 / eye.squaredNorm());
     const Curve rim = placed(circle(eye / eye.squaredNorm(), size * a, size * b));
-    std::vector<Point> outline;
-    for (const Eigen::Vector3d& point : rim) {
-      if (const auto seen = view.projector(point)) outline.push_back(*seen);
-    }
+    const std::vector<Point> outline = projected(view, rim);
     view.canvas.area(outline, {kRollingColour, 0.13});
     view.canvas.line(outline, {kRollingColour, 0.5 * scale.line, 0.75, 0.4 * scale.halo});
   }
@@ -223,11 +247,10 @@ void PoinsotRolling::drawPlane(const View& view, const Rolling& rolling) const {
   const auto isFaint = [&](const Eigen::Vector3d& point) {
     return rolling.box.hides(point, rolling.eye);
   };
-  std::vector<Point> outline;
-  for (const Eigen::Vector3d& point : ring(rolling.radius)) {
-    if (const auto seen = view.projector(point)) outline.push_back(*seen);
-  }
-  view.canvas.area(outline, {kMomentumColour, 0.12});
+  std::vector<std::vector<Point>> body;
+  for (const Curve& side : rolling.box.sidesFacing(rolling.eye))
+    body.push_back(projected(view, beforePlane(side, rolling)));
+  view.canvas.areaWithout(body, projected(view, ring(rolling.radius)), {kMomentumColour, 0.12});
   const double distance = moments_[static_cast<std::size_t>(view.frame)].distance;
   const auto radii = rigid::herpolhodeRadii(semiAxes_, distance);
   drawCurveOf(view, ring(rolling.radius),

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "overlay/body_box.h"
 #include "overlay/motion.h"
 #include "overlay/palette.h"
 #include "overlay/projector.h"
@@ -72,6 +73,50 @@ TEST(PoinsotOverlay, HasItsPlaneAtRestInTheWorld) {
     EXPECT_LT(differenceAt(picture, scene, foot, kMomentumColour), 0.005);
     EXPECT_GT(differenceAt(picture, scene, 1.05 * foot, kMomentumColour), 0.1);
   }
+}
+
+/// Returns how much more red than green there is at a place of the world: the plane is the only
+/// area that has it.
+int rednessAt(const image::Image& picture, const Point& at) {
+  const std::uint8_t* pixel =
+      picture.row(static_cast<int>(at.y())) + 4 * static_cast<std::ptrdiff_t>(at.x());
+  return pixel[0] - pixel[1];
+}
+
+/// Of 60 places of the plane.
+struct PlaneSeen {
+  int hidden = 0;  // by the body
+  int wrong = 0;   // drawn although hidden, or not drawn
+};
+
+PlaneSeen planeSeen(const std::string& position, std::int64_t frame) {
+  const scene::Scene scene = starterWith("[camera]\nposition = " + position + "\n");
+  const physics::Sample sample = testing::motionOf(scene).samples[static_cast<std::size_t>(frame)];
+  const BodyBox box(scene.motions[0].body, sample.cage);
+  const Eigen::Vector3d normal = sample.angularMomentum.normalized();
+  const Eigen::Vector3d a = normal.unitOrthogonal(), b = normal.cross(a);
+  const Projector projector(testing::clipFromWorld(scene, 0), scene.clip.width, scene.clip.height);
+  const image::Image picture = testing::drawn(scene, frame);
+  PlaneSeen seen;
+  for (int i = 0; i < 60; ++i) {
+    const double angle = 0.1 * i, radius = kMetres * 8.3;  // between the rings and the ticks
+    const Eigen::Vector3d place =
+        kMetres * kDistance * normal + radius * (std::cos(angle) * a + std::sin(angle) * b);
+    const bool isHidden = box.hides(place, projector.eye());
+    if (isHidden) ++seen.hidden;
+    if ((rednessAt(picture, *projector(place)) <= 0) != isHidden) ++seen.wrong;
+  }
+  return seen;
+}
+
+TEST(PoinsotOverlay, HasItsPlaneBehindTheBodyWhereTheBodyIsInFront) {
+  const PlaneSeen before = planeSeen("[-0.2, 0.6, 0.3]", 70);
+  EXPECT_EQ(before.hidden, 51);
+  EXPECT_LE(before.wrong, 2);  // measured 1, at the body's edge; 51 without depth
+  // From beyond the plane the body hides only where it reaches through.
+  const PlaneSeen beyond = planeSeen("[0.3, 0.1, 0.6]", 50);
+  EXPECT_EQ(beyond.hidden, 6);
+  EXPECT_LE(beyond.wrong, 2);  // measured 0; 6 without depth
 }
 
 TEST(PoinsotOverlay, BeginsItsCurvesAnewAfterANudge) {

@@ -8,14 +8,16 @@ const makeContents = (() => {
     const list = nav.querySelector("details");
     const links = new Map([...nav.querySelectorAll("a")].map((link) => [decodeURIComponent(link.hash.slice(1)), link]));
     const isWide = matchMedia("(min-width: 84rem)");
+    /** Those that aren't folded away, which have no place. */
+    const shown = () => figures.filter((figure) => !figure.closest(".folded:not([open])"));
 
-    /** The figure that is looked at: the last whose top is above the middle of the window; -1 above the first. */
+    /** The figure that is looked at: the last whose top is above the middle of the window; undefined above the first. */
     function current() {
-      return figures.findLastIndex((figure) => figure.getBoundingClientRect().top < innerHeight / 2);
+      return shown().findLast((figure) => figure.getBoundingClientRect().top < innerHeight / 2);
     }
 
     function mark() {
-      const id = figures[current()]?.id;
+      const id = current()?.id;
       const link = links.get(id);
       if (link?.hasAttribute("aria-current")) return;
       for (const each of links.values()) each.removeAttribute("aria-current");
@@ -35,10 +37,10 @@ const makeContents = (() => {
     }
 
     function next() {
-      go(figures.find((figure) => figure.getBoundingClientRect().top > kNear));
+      go(shown().find((figure) => figure.getBoundingClientRect().top > kNear));
     }
     function previous() {
-      go(figures.findLast((figure) => figure.getBoundingClientRect().top < -kNear));
+      go(shown().findLast((figure) => figure.getBoundingClientRect().top < -kNear));
     }
 
     for (const [name, act] of [["previous", previous], ["next", next]]) {

@@ -94,6 +94,23 @@
     event.preventDefault();
   });
 
+  /** Opens what a linked figure is folded away in, before the browser goes there. */
+  function unfold(hash) {
+    const folded = document.getElementById(decodeURIComponent(hash.slice(1)))?.closest(".folded:not([open])");
+    if (folded) folded.open = true;
+    return folded;
+  }
+  document.addEventListener("click", (event) => {
+    const link = event.target.closest("a[href^='#']");
+    if (link) unfold(link.hash);
+  });
+  /** Of an address that somebody opens, or goes back to, the browser has looked for the place already. */
+  function land() {
+    if (unfold(location.hash)) document.getElementById(decodeURIComponent(location.hash.slice(1))).scrollIntoView();
+  }
+  addEventListener("hashchange", land);
+  land();
+
   const nav = document.querySelector(".contents");
   const contents = nav ? makeContents(nav, [...document.querySelectorAll(".figure")]) : null;
 
@@ -116,8 +133,14 @@
   connectToys();
   document.addEventListener("rotatebook-live", connectToys);
 
-  // On paper, all curves and whole posters.
+  // On paper, all figures, curves and whole posters.
+  const unfolded = [];  // for printing alone
+  addEventListener("afterprint", () => unfolded.splice(0).forEach((folded) => { folded.open = false; }));
   addEventListener("beforeprint", () => {
+    for (const folded of document.querySelectorAll(".folded:not([open])")) {
+      folded.open = true;
+      unfolded.push(folded);
+    }
     for (const section of sections) {
       showPoster(section);
       plots.get(section).forEach((plot) => plot.draw());

@@ -1,5 +1,7 @@
 #include "page/page.h"
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 
 #include "base/version.h"
@@ -15,8 +17,15 @@ constexpr std::string_view kOverview = R"(<nav class="overview" aria-labelledby=
 )";
 
 constexpr std::string_view kGroup = R"(<h3>{{heading}}</h3>
-<ul class="sheet">
+{{items}})";
+
+constexpr std::string_view kSheet = R"(<ul class="sheet">
 {{items}}</ul>
+)";
+
+/// Opened by a link to a figure in it, too, by a search and by printing.
+constexpr std::string_view kFolded = R"(<details class="folded"><summary>{{count}} more</summary>
+{{content}}</details>
 )";
 
 constexpr std::string_view kItem = R"(<li><a href="#{{anchor}}">
@@ -69,11 +78,21 @@ Html itemOf(const Figure& figure) {
                         {"badge", figure.badge}});
 }
 
+/// Returns what is folded away of a chapter; empty if nothing is.
+Html foldedAway(const ToldChapter& chapter, const Html& content) {
+  const auto count = std::ranges::count_if(chapter.figures, &ToldFigure::isFolded);
+  if (count == 0) return {};
+  return filled(kFolded, {{"count", {std::to_string(count)}}, {"content", content}});
+}
+
 Html overviewOf(const std::vector<ToldChapter>& chapters) {
   Html groups;
   for (const ToldChapter& chapter : chapters) {
-    Html items;
-    for (const ToldFigure& told : chapter.figures) items += itemOf(*told.figure);
+    Html shown, folded;
+    for (const ToldFigure& told : chapter.figures)
+      (told.isFolded ? folded : shown) += itemOf(*told.figure);
+    Html items = filled(kSheet, {{"items", shown}});
+    items += foldedAway(chapter, filled(kSheet, {{"items", folded}}));
     groups += filled(kGroup, {{"heading", escaped(chapter.title)}, {"items", items}});
   }
   return filled(kOverview, {{"groups", groups}});
@@ -100,12 +119,14 @@ Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
 Html chaptersOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
   Html all;
   for (const ToldChapter& chapter : chapters) {
-    Html figures;
+    Html figures, folded;
     for (const ToldFigure& told : chapter.figures) {
       if (told.figure == &lead) continue;
-      figures += wordsOf("between", told.words);
-      figures += told.figure->section;
+      Html& part = told.isFolded ? folded : figures;
+      part += wordsOf("between", told.words);
+      part += told.figure->section;
     }
+    figures += foldedAway(chapter, folded);
     if (figures.text.empty()) continue;
     all += filled(kChapter, {{"place", placeOf(chapter)},
                              {"title", escaped(chapter.title)},

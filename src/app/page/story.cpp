@@ -22,16 +22,22 @@ StoryFigure readStoryFigure(const ValueReader& table) {
   return figure;
 }
 
+std::vector<StoryFigure> readStoryFigures(const ValueReader& array) {
+  std::vector<StoryFigure> figures;
+  for (const ValueReader& figure : array.tables("an array of figures")) {
+    figures.push_back(readStoryFigure(figure));
+  }
+  return figures;
+}
+
 Chapter readChapter(const ValueReader& table) {
   Chapter chapter;
-  table.readTable({{"id", [&](const auto& value) { chapter.id = value.text(kLongestWords); }},
-                   {"title", [&](const auto& value) { chapter.title = value.text(kLongestWords); }},
-                   {"words", [&](const auto& value) { chapter.words = value.text(kLongestWords); }},
-                   {"figures", [&](const auto& value) {
-                      for (const ValueReader& figure : value.tables("an array of figures")) {
-                        chapter.figures.push_back(readStoryFigure(figure));
-                      }
-                    }}});
+  table.readTable(
+      {{"id", [&](const auto& value) { chapter.id = value.text(kLongestWords); }},
+       {"title", [&](const auto& value) { chapter.title = value.text(kLongestWords); }},
+       {"words", [&](const auto& value) { chapter.words = value.text(kLongestWords); }},
+       {"figures", [&](const auto& value) { chapter.figures = readStoryFigures(value); }},
+       {"folded", [&](const auto& value) { chapter.folded = readStoryFigures(value); }}});
   return chapter;
 }
 
@@ -67,11 +73,15 @@ std::vector<ToldChapter> tell(const std::vector<Figure>& figures,
   std::set<std::string> scenes;
   for (const Chapter& chapter : story) {
     ToldChapter next{chapter.id, chapter.title, chapter.words, {}};
-    for (const StoryFigure& one : chapter.figures) {
-      const auto found = std::ranges::find(figures, one.scene, &Figure::id);
-      if (found == figures.end() || !scenes.insert(one.scene).second) continue;
-      next.figures.push_back({&*found, one.words});
-    }
+    const auto tellAll = [&](const std::vector<StoryFigure>& all, bool isFolded) {
+      for (const StoryFigure& one : all) {
+        const auto found = std::ranges::find(figures, one.scene, &Figure::id);
+        if (found == figures.end() || !scenes.insert(one.scene).second) continue;
+        next.figures.push_back({&*found, one.words, isFolded});
+      }
+    };
+    tellAll(chapter.figures, false);
+    tellAll(chapter.folded, !next.figures.empty());
     if (!next.figures.empty()) told.push_back(next);
   }
   const ToldChapter rest = restOf(figures, scenes);

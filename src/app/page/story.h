@@ -21,6 +21,7 @@ struct Chapter {
   std::string title;
   std::string words;  ///< The chapter in a sentence or two.
   std::vector<StoryFigure> figures;
+  std::vector<StoryFigure> folded{};  ///< Shown when somebody asks for them.
 };
 
 /// Reads chapters from TOML. Throws InputError for text that isn't a story.
@@ -33,13 +34,14 @@ const std::vector<Chapter>& story();
 struct ToldFigure {
   const Figure* figure = nullptr;
   std::string words{};
+  bool isFolded = false;
 };
 
 struct ToldChapter {
   std::string id;
   std::string title;
   std::string words;
-  std::vector<ToldFigure> figures;  ///< Never empty.
+  std::vector<ToldFigure> figures;  ///< Never empty; folded ones last, and never alone.
 };
 
 /// Returns the chapters of `story` that have one of `figures`, in the story's order. Figures that

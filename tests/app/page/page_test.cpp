@@ -44,6 +44,20 @@ TEST(Page, TellsItsFiguresInTheStorysOrder) {
                           Not(HasSubstr("chapter/stable"))));
 }
 
+TEST(Page, FoldsAwayWhatTheStoryFolds) {
+  const std::string text = pageText(
+      "A", {figureOf(FigureKind::Clip, "axes"), figureOf(FigureKind::Clip, "fige-stiffness"),
+            figureOf(FigureKind::Clip, "fig06-undamped")});
+  const std::string fold = "<details class=\"folded\"><summary>1 more</summary>";
+  const std::size_t inOverview = text.find(fold);
+  const std::size_t inChapter = text.find(fold, inOverview + 1);
+  ASSERT_NE(inChapter, text.npos);
+  EXPECT_LT(inOverview, text.find("<span class=\"name\">fige-stiffness</span>"));
+  EXPECT_LT(text.find("[fig06-undamped]"), inChapter);
+  EXPECT_LT(inChapter, text.find("[fige-stiffness]"));
+  EXPECT_EQ(text.find(fold, inChapter + 1), text.npos);
+}
+
 TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {
   const std::string text =
       pageText("A", {figureOf(FigureKind::Comparison, "first"),

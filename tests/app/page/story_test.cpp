@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 
+constexpr std::size_t kMostShown = 12;  // Of a chapter's figures.
+
 Figure figureOf(const std::string& id) {
   return {FigureKind::Clip, id, "Title of " + id, id + ".png"};
 }
@@ -47,6 +49,25 @@ TEST(Story, OrdersFiguresByChapters) {
               ElementsAre("[One]", "b!", "a.", "[More]", "x"));
 }
 
+const std::vector<Chapter> kFolding = readStory(R"(
+[[chapter]]
+id = "one"
+title = "One"
+words = "Words."
+figures = [{ scene = "a", words = "." }]
+folded = [{ scene = "b", words = "!" }]
+)");
+
+TEST(Story, FoldsFiguresAwayBehindOthersAlone) {
+  const std::vector<Figure> both{figureOf("b"), figureOf("a")};
+  const std::vector<ToldChapter> told = tell(both, kFolding);
+  EXPECT_THAT(orderOf(told), ElementsAre("[One]", "a.", "b!"));
+  EXPECT_FALSE(told[0].figures[0].isFolded);
+  EXPECT_TRUE(told[0].figures[1].isFolded);
+  const std::vector<Figure> one{figureOf("b")};
+  EXPECT_FALSE(tell(one, kFolding)[0].figures[0].isFolded);
+}
+
 TEST(Story, LeavesFiguresOfNoChapterInTheirOrder) {
   EXPECT_THAT(orderOf(tell({figureOf("y"), figureOf("x")}, kStory)),
               ElementsAre("[Figures]", "y", "x"));
@@ -71,9 +92,12 @@ TEST(Story, NamesEachShippedFigureOnce) {
   std::set<std::string> named;
   for (const Chapter& chapter : story()) {
     EXPECT_FALSE(chapter.words.empty()) << chapter.id;
-    for (const StoryFigure& figure : chapter.figures) {
-      EXPECT_TRUE(named.insert(figure.scene).second) << figure.scene << " comes twice";
-      EXPECT_FALSE(figure.words.empty()) << figure.scene;
+    EXPECT_LE(chapter.figures.size(), kMostShown) << chapter.id;
+    for (const auto* figures : {&chapter.figures, &chapter.folded}) {
+      for (const StoryFigure& figure : *figures) {
+        EXPECT_TRUE(named.insert(figure.scene).second) << figure.scene << " comes twice";
+        EXPECT_FALSE(figure.words.empty()) << figure.scene;
+      }
     }
   }
   std::set<std::string> shipped = shippedScenes();

@@ -54,13 +54,13 @@ TEST(Words, OfATableReplaceThoseInEnglish) {
   EXPECT_EQ(words[Word::Energy], "Energy");
 }
 
-TEST(Words, AreAllInTheExampleOfTheDocumentation) {
-  std::ifstream stream(std::string(ROTATEBOOK_SOURCE) + "/docs/panels-and-overlays.md");
-  const std::string page(std::istreambuf_iterator<char>(stream), {});
+TEST(Words, AreAllInTheFrenchTable) {
+  std::ifstream stream(std::string(ROTATEBOOK_SOURCE) + "/docs/tables/french.words");
+  const std::string table(std::istreambuf_iterator<char>(stream), {});
   for (const std::string_view english : kEnglishWords) {
-    const std::string bare = "\n  " + std::string(english) + " = \"";
-    const std::string quoted = "\n  \"" + std::string(english) + "\" = \"";
-    EXPECT_TRUE(page.find(bare) != page.npos || page.find(quoted) != page.npos) << english;
+    const std::string bare = "\n" + std::string(english) + " = \"";
+    const std::string quoted = "\n\"" + std::string(english) + "\" = \"";
+    EXPECT_TRUE(table.find(bare) != table.npos || table.find(quoted) != table.npos) << english;
   }
 }
 

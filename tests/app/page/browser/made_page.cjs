@@ -1,4 +1,4 @@
-// The page that tests look at: two clips, one of which diverges, a comparison, a still and a study.
+// The page that tests look at: three clips, one of which diverges, one folded away; a comparison, a still and a study.
 "use strict";
 
 const assert = require("node:assert/strict");
@@ -58,6 +58,14 @@ label = "exact"
 simulation.model = "exact"
 expect.rotational_ratio = { min = 0.999999, max = 1.000001, from = 0.125, to = 0.375 }
 `,
+  "normalised.toml": `title = "Folded away"
+[initial]
+angular_velocity = [5.0, 3.0, 1.0]
+[clip]
+size = [160, 90]
+fps = 24
+duration = 0.5
+`,
   "book.toml": `title = "A book"
 caption = "A still."
 [simulation]
@@ -104,7 +112,7 @@ function makePage() {
   for (const folder of [kOut, kMoving]) fs.rmSync(folder, {recursive: true, force: true});
   fs.writeFileSync(path.join(kOutput, "moves.toml"), kScenes["pair.toml"].replace("Two models", "Two models, moving"));
   for (const [name, text] of Object.entries(kScenes)) fs.writeFileSync(path.join(kOutput, name), text);
-  render("turns.toml", "bursts.toml", "pair.toml", "-o", kOut);
+  render("turns.toml", "bursts.toml", "pair.toml", "normalised.toml", "-o", kOut);
   rotatebook("still", "book.toml", "--time", "0", "-o", path.join(kOut, "book.png"));
   rotatebook("study", "steps.toml", "-o", kOut);
   const fragment = path.join(kOutput, "fragment.html");

@@ -29,7 +29,7 @@ async function curvesDrawn(plot) {
 describe("the page", () => {
   test("shows all figures in the overview, without a complaint and without a network", async () => {
     const {page, problems, close} = await open();
-    assert.equal(await page.locator(".sheet li").count(), 5);
+    assert.equal(await page.locator(".sheet li").count(), 6);
     for (const id of ["turns", "bursts", "pair"]) await openClip(page, id);
     const pictures = await page.locator("img").evaluateAll((images) => Promise.all(images.map((image) => {
       image.loading = "eager";
@@ -85,7 +85,7 @@ describe("the page", () => {
   test("has an overview of pictures", async () => {
     const {page, close} = await open();
     const sources = await page.locator(".sheet img").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
-    assert.deepEqual(sources.filter((name) => !name.endsWith(".svg")), ["bursts", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
+    assert.deepEqual(sources.filter((name) => !name.endsWith(".svg")), ["bursts", "normalised", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
     assert.equal(await page.locator(".sheet a[href='#steps'] img[src='steps-study.svg']").count(), 1);
     await close();
   });

@@ -12,9 +12,10 @@ const {kOut, kOutput, kMoving, startBrowser, closeBrowser, open, openClip} = req
 before(startBrowser);
 after(closeBrowser);
 
-// As they come on the page: "steps" and "bursts" are in the story, the others aren't; the first of the command is the lead.
+// As they come on the page: "steps" and "bursts" are in the story, and so is "normalised", folded away; the others aren't. The first of
+// the command is the lead.
 const kIds = ["turns", "steps", "bursts", "pair", "book"];
-const kInContents = ["steps", "bursts", "turns", "pair", "book"];
+const kInContents = ["steps", "bursts", "normalised", "turns", "pair", "book"];
 const kWidths = [390, 768, 1280, 1440];
 const kAxe = path.join(process.env.ROTATEBOOK_PLAYWRIGHT, "..", "axe-core", "axe.min.js");
 
@@ -103,6 +104,48 @@ describe("loading", () => {
     assert.deepEqual(ofClips(), [["turns.mp4", size]]);
     await close();
     server.close();
+  });
+});
+
+describe("a figure that is folded away", () => {
+  const isShown = (page) => page.locator("#normalised .screen").isVisible();
+
+  test("costs nothing before it is wanted, and then plays", async () => {
+    const server = await serve();
+    const {page, problems, close} = await open({}, {address: server.address});
+    await page.locator(".chapter .folded summary").first().scrollIntoViewIfNeeded();
+    await page.waitForTimeout(200);
+    assert.ok(!await isShown(page));
+    for (const file of ["normalised.mp4", "normalised.poster.png"]) assert.ok(!server.sent.has(file), file);
+    await page.locator(".chapter .folded > summary").focus();
+    await page.keyboard.press("Enter");
+    assert.ok(await isShown(page));
+    await openClip(page, "normalised");
+    assert.ok(server.sent.has("normalised.mp4"));
+    assert.deepEqual(problems, []);
+    await page.screenshot({path: path.join(kOutput, "folded.png")});
+    await close();
+    server.close();
+  });
+
+  test("is opened by a link, by an address and by going back to it", async () => {
+    for (const place of ["#normalised", ""]) {
+      const {page, close} = await open({}, {place});
+      if (!place) await page.locator(".contents a[href='#normalised']").evaluate((link) => link.click());
+      await page.waitForFunction(() => Math.abs(document.querySelector("#normalised").getBoundingClientRect().top) < innerHeight / 2);
+      assert.ok(await isShown(page));
+      await close();
+    }
+  });
+
+  test("is passed over by keys until then", async () => {
+    const {page, close} = await open({}, {place: "#bursts"});
+    await page.keyboard.press("ArrowRight");
+    assert.equal(new URL(page.url()).hash, "#pair");
+    await page.locator(".chapter .folded").evaluate((folded) => { folded.open = true; });
+    await page.keyboard.press("ArrowLeft");
+    assert.equal(new URL(page.url()).hash, "#normalised");
+    await close();
   });
 });
 
@@ -202,7 +245,9 @@ describe("the whole page", () => {
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
     const pdf = await page.pdf({path: path.join(kOutput, "printed.pdf"), format: "A4"});
     const pages = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
-    assert.equal(pages, kIds.length);
+    assert.equal(pages, kInContents.length);
+    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
+    assert.equal(await page.locator(".folded[open]").count(), 0);
     await close();
   });
 });

@@ -27,7 +27,6 @@ constexpr double kLongestForce = 0.65;   // arrow [distances from the body's cen
 constexpr double kShortestForce = 0.02;  // of a force that is drawn [likewise]
 // Forces above this many times the start's don't shorten the arrows of all others.
 constexpr double kLargestForce = 4;
-constexpr double kRow = 1.28;  // of the legend [small letters]
 
 /// A kind of force: its name, its colour, and the frames in which there is one.
 struct ForceKind {
@@ -119,8 +118,9 @@ double Forces::largestOf(const physics::Sample& sample) const {
 
 void Forces::makeLegend(const Box& legend) {
   const Scale& scale = context_.scale;
-  const double rows = kRow * static_cast<double>(kinds_.size() + 1) * scale.smallLetters;
-  const Box box{legend.x, legend.bottom() - rows, legend.width, rows};
+  const double row = kForcesScale * scale.smallLetters;
+  const double height = std::min(row * static_cast<double>(kinds_.size() + 1), legend.height);
+  const Box box{legend.x, legend.bottom() - height, legend.width, height};
   const TextStyle style{.size = scale.smallLetters, .colour = kWhite, .halo = scale.halo};
   const scene::Words& words = context_.scene.overlay.words;
   Canvas canvas = context_.canvas();
@@ -129,12 +129,13 @@ void Forces::makeLegend(const Box& legend) {
   const double sample = 1.6 * scale.smallLetters;
   double y = box.y;
   for (const ForceKind& kind : kinds_) {
+    if (height < 2 * row) break;  // the scale alone has room
     const double middle = y + 0.6 * scale.smallLetters;
     const std::array ends{Point(box.x, middle), Point(box.x + sample, middle)};
     canvas.line(ends, {kind.colour, 1.2 * scale.line, 1, 0});
     canvas.write(context_.type.draw(words[kind.word], style, scale.width),
                  {box.x + sample + 0.6 * scale.smallLetters, y});
-    y += kRow * scale.smallLetters;
+    y += row;
   }
   bar_ = roundedDown(0.35 * largest_);
   const Layer label =

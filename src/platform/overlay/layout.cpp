@@ -22,6 +22,9 @@ constexpr double kLinesAbove = 4;      // and as many letter heights at least
 constexpr double kCornerSquare = 0.3;  // share of the shorter side
 constexpr double kWidestSquare = 0.5;  // likewise, however large the overlays are
 constexpr double kLegendWidth = 9.5;   // [letter heights]
+// A legend that takes more of the width and of the height is in the body's way.
+constexpr double kWidestLegend = 0.5, kHighestLegend = 0.3;
+constexpr double kNarrowestLegend = 8;  // [small letters]
 
 double gapOf(const Scale& scale) {
   return 0.4 * scale.margin;
@@ -84,17 +87,21 @@ void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
   }
 }
 
-/// Places the legend at the lower left, above text and charts.
-void placeLegend(const Scale& scale, double letters, Layout& layout) {
-  const double height = letters * scale.smallLetters;
+/// Places the legend at the lower left, above text and charts; nothing in a very narrow picture.
+void placeLegend(const Scale& scale, const Wanted& wanted, Layout& layout) {
+  const double width = std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin);
+  if (width < kNarrowestLegend * scale.smallLetters) return;
+  double height = wanted.legend * scale.smallLetters;
+  if (width > kWidestLegend * scale.width ||
+      height > kHighestLegend * (scale.height - layout.bottomRows))
+    height = wanted.leastLegend * scale.smallLetters;
   double below = scale.height - scale.margin;
   if (layout.bottomRows > 0) below = scale.height - layout.bottomRows - gapOf(scale);
   for (const Box& chart : layout.charts) {
     if (!chart.empty() && chart.x < scale.width / 2.0)
       below = std::min(below, chart.y - gapOf(scale));
   }
-  layout.legend = {scale.margin, below - height,
-                   std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin), height};
+  layout.legend = {scale.margin, below - height, width, height};
 }
 
 }  // namespace
@@ -111,7 +118,7 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
     layout = {.bottomRows = wanted.bottomRows};
     placeAround(scale, wanted, layout);
   }
-  if (wanted.legend > 0) placeLegend(scale, wanted.legend, layout);
+  if (wanted.legend > 0) placeLegend(scale, wanted, layout);
   return layout;
 }
 

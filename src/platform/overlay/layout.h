@@ -10,10 +10,11 @@ namespace rotatebook::overlay {
 
 /// The insets that need room.
 struct Wanted {
-  bool square = false;  ///< An inset as wide as high.
-  int charts = 0;       ///< Strip charts, one above the other or side by side.
-  double legend = 0;    ///< Height of a legend of what is drawn on the body. [small letters]
-  int bottomRows = 0;   ///< Rows that text takes at the bottom. [pixels]
+  bool square = false;     ///< An inset as wide as high.
+  int charts = 0;          ///< Strip charts, one above the other or side by side.
+  double legend = 0;       ///< Height of a legend of what is drawn on the body. [small letters]
+  double leastLegend = 0;  ///< Its height where it would be in the body's way. [small letters]
+  int bottomRows = 0;      ///< Rows that text takes at the bottom. [pixels]
 };
 
 /// Boxes that don't meet, within the picture's margins; empty if not wanted. [pixels]

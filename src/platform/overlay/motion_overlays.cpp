@@ -29,9 +29,14 @@ constexpr auto rowsAt(Placement placement) {
 
 static_assert(rowsAt(Placement::Square) == 1, "layOut() has only one box for it");
 
-/// Returns the height of the legend of an overlay that has one. [small letters]
-double legendHeight(Overlay overlay) {
-  return overlay == Overlay::Springs ? 2.6 : kForcesLegend;
+/// The heights of an overlay's legend, whole and at least. [small letters]
+struct LegendHeights {
+  double whole = 0, least = 0;
+};
+
+LegendHeights legendHeights(Overlay overlay) {
+  if (overlay == Overlay::Springs) return {2.6, 2.6};
+  return {kForcesLegend, kForcesScale};
 }
 
 }  // namespace
@@ -85,9 +90,12 @@ struct MotionOverlays::Parts {
 
   Wanted wanted(const Viewport& viewport) const {
     const std::vector<OverlayRow> legends = shownAt({Placement::BodyAndLegend});
+    LegendHeights legend;
+    if (!legends.empty() && !scene.textless) legend = legendHeights(legends.front().overlay);
     return {.square = !shownAt({Placement::Square}).empty(),
             .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
-            .legend = legends.empty() || scene.textless ? 0 : legendHeight(legends.front().overlay),
+            .legend = legend.whole,
+            .leastLegend = legend.least,
             .bottomRows = viewport.bottomRows};
   }
 

@@ -68,5 +68,17 @@ TEST(Layout, HasTheChartsBelowTheBookOfANarrowPicture) {
   EXPECT_EQ(layOut({426, 720}, {.bottomRows = 7}).bottomRows, 7);
 }
 
+TEST(Layout, HasALowLegendWhereItIsInTheBodysWay) {
+  const auto share = [](int width, int height) {
+    const Box legend =
+        layOut(Scale(width, height), {.legend = 6.4, .leastLegend = 1.28, .bottomRows = 0}).legend;
+    return legend.width * legend.height / (width * height);
+  };
+  EXPECT_GT(share(1280, 720), 0.02);  // measured 0.0305, whole
+  EXPECT_LT(share(160, 160), 0.05);   // measured 0.043; 0.21 as high as the whole one
+  EXPECT_LT(share(100, 720), 0.05);   // measured 0.013; the whole one is as wide as the picture
+  EXPECT_EQ(share(80, 80), 0);
+}
+
 }  // namespace
 }  // namespace rotatebook::overlay

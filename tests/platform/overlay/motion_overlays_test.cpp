@@ -137,6 +137,19 @@ TEST(MotionOverlays, CanBeDrawnOnTheSmallestPictures) {
   }
 }
 
+TEST(MotionOverlays, NameForcesWhereTheNamesLeaveRoomForTheBody) {
+  const auto texts = [](const char* size) {
+    const scene::Scene scene = testing::tumbling(
+        {"overlay.show=['forces']", "camera.frame='turning'", std::string("clip.size=") + size});
+    const physics::Trajectory trajectory = testing::motionOf(scene);
+    MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
+    testing::drawn(overlays, scene, 0);
+    return overlays.texts().size();
+  };
+  EXPECT_EQ(texts("[640, 360]"), 4);  // three names and the scale
+  EXPECT_EQ(texts("[180, 160]"), 1);  // the scale
+}
+
 TEST(MotionOverlays, DrawTheEnergyOnTheScaleOfThoseBesideThem) {
   const scene::Scene scene = tumbling({"overlay.show=['energy']", "clip.size=[640, 360]"});
   const physics::Trajectory calm = motionOf(scene), wild = motionOf(diverging());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physics/make_simulator.h"
+#include "physics/motion_start.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -16,6 +17,14 @@ std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start,
   const auto isAfter = [](double time, const Nudge& nudge) { return time < nudge.at; };
   const auto first = std::upper_bound(nudges.begin(), nudges.end(), start, isAfter);
   return {first, std::upper_bound(first, nudges.end(), end, isAfter)};
+}
+
+BodyState turned(const Eigen::Matrix3d& turn, BodyState state) {
+  state.worldFromBody = turn * state.worldFromBody;
+  if (state.cage) state.cage = Cage(turn * *state.cage);
+  state.angularVelocity = turn * state.angularVelocity;
+  state.angularMomentum = turn * state.angularMomentum;
+  return state;
 }
 
 }  // namespace
@@ -58,11 +67,17 @@ class PartsOfFrame {
 };
 
 Course::Course(const MotionSettings& settings)
-    : nudges_(settings.nudges),
+    : attitude_(initialAttitude(settings.initial)),
+      nudges_(withoutAttitude(settings).nudges),
       steps_(settings.simulation.steps()),
-      simulator_(makeSimulator(settings)) {}
+      simulator_(makeSimulator(withoutAttitude(settings))) {}
 
 BodyState Course::at(double time) {
+  const BodyState state = unturned(time);
+  return attitude_ ? turned(*attitude_, state) : state;
+}
+
+BodyState Course::unturned(double time) {
   if (simulator_->jumpTo(time)) return simulator_->state();
   const double slack = kEndOfStep * steps_.time / steps_.count;
   while (startOf(frame_ + 1) <= time + slack) makeFrame();

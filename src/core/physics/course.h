@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +30,10 @@ class Course {
   void advanceWithin(Simulator& simulator, double time) const;
   PartsOfFrame partsTo(Simulator& simulator, double end) const;
 
-  std::vector<Nudge> nudges_;
+  BodyState unturned(double time);
+
+  std::optional<Eigen::Matrix3d> attitude_;  // world from body at t = 0
+  std::vector<Nudge> nudges_;                // those of withoutAttitude()
   EqualSteps steps_;
   std::unique_ptr<Simulator> simulator_;
   std::int64_t frame_ = 0;  // the frame at whose start the simulator is

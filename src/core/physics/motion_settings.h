@@ -109,7 +109,7 @@ struct SpinAbout {
   friend bool operator==(const SpinAbout&, const SpinAbout&) = default;
 };
 
-/// The spin at t = 0, when body and world axes coincide.
+/// The spin at t = 0, along the body's axes, and the body's attitude then.
 struct InitialSpin {
   using Kind = SpinKind;
 
@@ -118,6 +118,9 @@ struct InitialSpin {
   std::optional<Tilt> tilt{};      ///< Applied to `value` before use.
   /// The source of `value`, if a scene names the axis.
   std::optional<SpinAbout> about{};
+  /// The quaternion w, x, y, z that turns the body's axes into the world's, of any length but 0.
+  /// Without one they coincide. It turns the motion as a whole.
+  std::optional<Eigen::Vector4d> attitude{};
 
   /// Returns `value` rotated by `tilt`. Throws InputError if it points along the tilt's axis, where
   /// no rotation is defined.

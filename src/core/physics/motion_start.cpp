@@ -1,6 +1,9 @@
 #include "physics/motion_start.h"
 
+#include <Eigen/Geometry>
+
 #include "physics/particle_places.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 
@@ -20,11 +23,28 @@ Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
   return settings.initial.angularVelocity(modelInertia(settings));
 }
 
+std::optional<Eigen::Matrix3d> initialAttitude(const InitialSpin& initial) {
+  if (!initial.attitude) return std::nullopt;
+  const Eigen::Vector4d q = *initial.attitude / initial.attitude->stableNorm();
+  return rigid::unnormalisedMatrix(Eigen::Quaterniond(q[0], q[1], q[2], q[3]));
+}
+
+MotionSettings withoutAttitude(MotionSettings settings) {
+  const auto attitude = initialAttitude(settings.initial);
+  if (!attitude) return settings;
+  settings.initial.attitude.reset();
+  for (Nudge& nudge : settings.nudges)
+    if (nudge.axes == Nudge::Axes::World) nudge.value = attitude->transpose() * nudge.value;
+  return settings;
+}
+
 NudgedRotation exactRotation(const MotionSettings& settings) {
-  const rigid::PrincipalAxes inertia = modelInertia(settings);
-  return NudgedRotation({inertia, settings.initial.alongPrincipal(inertia),
-                         inertia.angularMomentum(initialAngularVelocity(settings))},
-                        settings.nudges);
+  const MotionSettings free = withoutAttitude(settings);
+  const rigid::PrincipalAxes inertia = modelInertia(free);
+  return NudgedRotation(
+      {inertia, free.initial.alongPrincipal(inertia),
+       inertia.angularMomentum(initialAngularVelocity(free)), initialAttitude(settings.initial)},
+      free.nudges);
 }
 
 }  // namespace rotatebook::physics

@@ -1,6 +1,8 @@
 // The inertia and the spin that a motion starts with.
 #pragma once
 
+#include <optional>
+
 #include <Eigen/Core>
 
 #include "physics/motion_settings.h"
@@ -14,6 +16,11 @@ rigid::PrincipalAxes modelInertia(const MotionSettings& settings);
 /// Returns the angular velocity at t = 0, in body axes. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
+/// Returns the rotation from the body's axes to the world's at t = 0; nullopt if none is stated.
+std::optional<Eigen::Matrix3d> initialAttitude(const InitialSpin& initial);
+/// Returns the same motion as it is where body and world axes coincide at t = 0: without an
+/// attitude, and with its nudges turned back.
+MotionSettings withoutAttitude(MotionSettings settings);
 /// Returns the exact motion of the model's body if it were rigid, with all nudges. Throws
 /// InputError likewise.
 NudgedRotation exactRotation(const MotionSettings& settings);

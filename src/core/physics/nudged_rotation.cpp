@@ -5,13 +5,20 @@
 namespace rotatebook::physics {
 
 NudgedRotation::NudgedRotation(const Start& start, std::span<const Nudge> nudges)
-    : inertia_(start.inertia) {
+    : inertia_(start.inertia), turn_(start.worldFromBody) {
   pieces_.push_back({0, Eigen::Matrix3d::Identity(),
                      rigid::ExactRotation(start.inertia, start.alongPrincipal), start.momentum});
   for (const Nudge& nudge : nudges) add(nudge);
 }
 
 NudgedRotation::Moment NudgedRotation::at(double time) const {
+  const Moment moment = unturned(time);
+  if (!turn_) return moment;
+  return {*turn_ * moment.worldFromBody, *turn_ * moment.angularVelocity,
+          *turn_ * moment.angularMomentum, moment.regime};
+}
+
+NudgedRotation::Moment NudgedRotation::unturned(double time) const {
   const std::size_t index = pieceAt(time);
   const Piece& piece = pieces_[index];
   const rigid::ExactRotation::Moment moment = piece.rotation.at(time - piece.start);
@@ -35,7 +42,7 @@ std::size_t NudgedRotation::pieceAt(double time) const {
 }
 
 void NudgedRotation::add(const Nudge& nudge) {
-  const Moment before = at(nudge.at);
+  const Moment before = unturned(nudge.at);
   const Eigen::Matrix3d& worldFromBody = before.worldFromBody;
   Eigen::Vector3d change = nudge.value;
   if (nudge.kind == SpinKind::AngularVelocity) {

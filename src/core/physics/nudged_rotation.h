@@ -1,6 +1,7 @@
 // The exact motion of a body that is nudged on the way.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,8 @@
 namespace rotatebook::physics {
 
 /// The exact rotation of a body, free from one nudge to the next; body and world axes agree at t =
-/// 0. Each piece starts anew from the attitude, to 1e-13, that the one before has led to.
+/// 0, or are turned by a given rotation. Each piece starts anew from the attitude, to 1e-13, that
+/// the one before has led to.
 class NudgedRotation {
  public:
   /// The body at t = 0.
@@ -21,8 +23,11 @@ class NudgedRotation {
     rigid::PrincipalAxes inertia;
     DoubleDouble3 alongPrincipal;  ///< Angular velocity along the principal axes. [rad/s]
     Eigen::Vector3d momentum;      ///< Angular momentum of this spin. [kg m^2/s]
+    /// Turns the motion as a whole.
+    std::optional<Eigen::Matrix3d> worldFromBody{};
   };
-  /// Takes nudges in the order of their times.
+  /// Takes nudges in the order of their times; those along the world's axes are along the axes
+  /// that the body has at t = 0.
   NudgedRotation(const Start& start, std::span<const Nudge> nudges);
 
   struct Moment {
@@ -44,11 +49,14 @@ class NudgedRotation {
     Eigen::Vector3d momentum;       // in world axes [kg m^2/s]
   };
 
+  /// Like at(), as it is where body and world axes agree at t = 0.
+  Moment unturned(double time) const;
   void add(const Nudge& nudge);
   /// Returns the index of the last piece that has started; the first one holds before t = 0, too.
   std::size_t pieceAt(double time) const;
 
   rigid::PrincipalAxes inertia_;
+  std::optional<Eigen::Matrix3d> turn_;
   std::vector<Piece> pieces_;  // in the order of their starts; never empty
 };
 

@@ -42,6 +42,8 @@ MotionFrame::MotionFrame(ReferenceFrame frame, const physics::MotionSettings& mo
   physics::MotionSettings untilted = motion;
   untilted.initial.tilt.reset();
   turning_ = physics::initialAngularVelocity(untilted);
+  if (const auto attitude = physics::initialAttitude(motion.initial))
+    turning_ = *attitude * turning_;
 }
 
 Eigen::Matrix3d MotionFrame::fromWorld(const physics::Sample& sample) const {

@@ -184,6 +184,26 @@ TEST(BodySection, ASpinAboutAnAxisIsPrintedAndTilted) {
               HasSubstr("did you mean \"middle\"?"));
 }
 
+TEST(InitialSection, StatesTheAttitudeAsAQuaternionOrAnAngleAboutAnAxis) {
+  const auto attitude = [](const std::string& value) {
+    const std::string text = "[initial]\nangular_velocity = [1, 0, 0]\nattitude = " + value + "\n";
+    const Scene scene = parseScene(text, "a.toml");
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].initial, scene.motions[0].initial);
+    return *scene.motions[0].initial.attitude;
+  };
+  EXPECT_EQ(attitude("[2, 0, -1, 0.5]"), Eigen::Vector4d(2, 0, -1, 0.5));
+  const Eigen::Vector4d quarter(std::sqrt(0.5), 0, std::sqrt(0.5), 0);
+  EXPECT_LT((attitude("[\"90 deg\", \"y\"]") - quarter).norm(), 1e-15);  // measured 1.1e-16
+  for (const char* wrong : {"[0, 0, 0, 0]", "[1, 0, 0]", "\"90 deg\""}) {
+    EXPECT_THAT(
+        errorOfText(std::string("[initial]\nangular_velocity = [1, 0, 0]\nattitude = ") + wrong +
+                    "\n"),
+        HasSubstr("initial.attitude must be the quaternion [w, x, y, z], or an angle and an "
+                  "axis, such as [\"90 deg\", \"x\"], not "))
+        << wrong;
+  }
+}
+
 TEST(BodySection, ASpinNamesAnAxisThatIsTheOnlyOneOfItsMoment) {
   const auto discAbout = [](const std::string& about) {
     return errorOfText("[body]\nshape = 'disc'\n[initial]\nangular_velocity = { about = '" + about +

@@ -90,6 +90,14 @@ TEST(ReferenceFrame, TurnsEvenlyAsTheSpinWithoutItsTilt) {
   }
 }
 
+TEST(ReferenceFrame, ThatTurnsDoesSoAboutTheSpinOfABodyThatLies) {
+  physics::MotionSettings settings;
+  settings.initial.value = {0, 5, 0};
+  settings.initial.attitude = Eigen::Vector4d(1, 1, 0, 0);  // a quarter turn about x
+  const MotionFrame frame(ReferenceFrame::Turning, settings);
+  EXPECT_LT((frame.turningAt({}).rate - Eigen::Vector3d(0, 0, 5)).norm(), 1e-14);  // measured 0
+}
+
 TEST(ReferenceFrame, ThatTurnsFollowsFromAMomentum) {
   physics::MotionSettings settings;
   settings.initial.kind = physics::InitialSpin::Kind::AngularMomentum;

@@ -63,6 +63,34 @@ std::string inertiaText(const rigid::Inertia& inertia) {
          "]";
 }
 
+constexpr double kMinAttitude = 1e-30;  // the length of a quaternion
+constexpr NumberRange kParts{"four numbers from -1e9 to 1e9", -1e9, 1e9};
+
+/// Reads a quaternion, or an angle about an axis.
+Eigen::Vector4d attitudeFrom(const ValueReader& value) {
+  constexpr const char* kExpected =
+      "the quaternion [w, x, y, z], or an angle and an axis, such as [\"90 deg\", \"x\"]";
+  Eigen::Vector4d attitude = Eigen::Vector4d::Zero();
+  const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
+  if (array != nullptr && array->size() == 2) {
+    const physics::Tilt turn = tiltFrom(value);
+    attitude[0] = cosine(turn.angle / 2);
+    attitude[1 + turn.axis] = sine(turn.angle / 2);
+    return attitude;
+  }
+  const auto parts = value.elements(4, kExpected);
+  for (Eigen::Index i = 0; i < 4; ++i)
+    attitude[i] = parts[static_cast<std::size_t>(i)].number(kParts);
+  if (!(attitude.stableNorm() > kMinAttitude)) value.mismatch(kExpected);
+  return attitude;
+}
+
+std::string attitudeText(const Eigen::Vector4d& attitude) {
+  std::vector<std::string> parts;
+  for (const double part : attitude) parts.push_back(tomlNumber(part));
+  return "[" + joined(parts) + "]";
+}
+
 constexpr NumberRange kRates{"a number from -1e9 to 1e9, but not 0", -1e9, 1e9};
 constexpr std::array<Named<int>, 3> kRanks{{{"smallest", 0}, {"middle", 1}, {"largest", 2}}};
 
@@ -190,6 +218,12 @@ Keys<InitialSpin> initialKeys() {
                    .meaning = "turns the vector given above toward the axis",
                    .byDefault = "none",
                    .models = kOfComputed}),
+      own<&InitialSpin::attitude, attitudeFrom, attitudeText>(
+          "attitude", "the quaternion [w, x, y, z], or an angle and an axis",
+          {.meaning = "how the book lies at the start: a turn from upright, facing +z; the spin is "
+                      "along its axes",
+           .byDefault = "upright",
+           .models = kOfComputed}),
   };
   return keys;
 }

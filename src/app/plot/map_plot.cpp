@@ -78,7 +78,7 @@ std::string valueText(double value, const MapColouring& colouring) {
   constexpr double kTiny = 1e-9;  // of the range of colours
   if (study::outcomeOf(value) != scene::Outcome::Value) return "";
   const bool isTiny = std::fabs(value) < kTiny * (colouring.to() - colouring.from());
-  return "  " + roundedText(isTiny ? 0 : value, kDigits);
+  return ": " + roundedText(isTiny ? 0 : value, kDigits);
 }
 
 void fill(Panel& panel, std::size_t index, const study::MapResult& result,

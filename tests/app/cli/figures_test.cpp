@@ -27,6 +27,8 @@ constexpr double kSmallestSide = 0.01;  // Of a real book. [m]
 constexpr double kLargestSide = 0.5;    // [m]
 constexpr double kLightest = 0.1;       // [kg]
 constexpr double kHeaviest = 5;         // [kg]
+constexpr double kMostLetters = 10.1;   // Of a text, in a second: most people read 17. Measured 9.9
+constexpr double kLatest = 20;          // The last text, which names the effect. [s]
 
 std::vector<std::string> scenesBelow(const fs::path& folder) {
   std::vector<std::string> names;
@@ -70,6 +72,7 @@ const std::vector<std::string> kAboutX{"initial.angular_velocity=[4, 0, 0]",
 const std::vector<std::string> kAboutZ{"initial.angular_velocity=[0, 0, 4]",
                                        "initial.tilt=[0.0003, \"x\"]"};
 const std::vector<std::string> kNeverNudged{"nudge.0.at=1000", "nudge.1.at=1000"};
+const char* const kEven = "clip.speed=1";  // Without a flip there is none to slow down at.
 const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
@@ -86,14 +89,15 @@ const std::vector<Twin> kTwins{
      {"panel.2.initial.angular_velocity={about=\"largest\", value=12}"}},
     {"bodies/phone",
      {"panel.1.initial.angular_velocity={about=\"smallest\", value=5}",
-      "panel.1.initial.tilt=[0.01, \"x\"]"}},
+      "panel.1.initial.tilt=[0.01, \"x\"]", kEven}},
     {"bodies/racket",
-     {"initial.angular_velocity={about=\"largest\", value=5}", "initial.tilt=[0.01, \"x\"]"}},
+     {"initial.angular_velocity={about=\"largest\", value=5}", "initial.tilt=[0.01, \"x\"]",
+      kEven}},
     {"bodies/shapes", {"panel.0.initial.angular_velocity={about=\"largest\", value=5}"}},
     {"bodies/sizes", {"panel.1.initial.angular_velocity={about=\"largest\", value=5}"}},
     {"bodies/sizes", {"panel.3.body.dimensions.bar=\"3 km\""}},
     {"bodies/toutatis", {"initial.angular_velocity=[0, 0, 2e-5]"}},
-    {"comparisons/axes", {"panel.1.initial.angular_velocity=[0, 4, 0]"}},
+    {"comparisons/axes", {"panel.1.initial.angular_velocity=[0, 4, 0]", kEven}},
     {"comparisons/axes",
      {"panel.0.initial.angular_velocity=[4, 0, 0]", "panel.0.initial.tilt=[0.014, \"z\"]"}},
     {"comparisons/axes",
@@ -144,7 +148,7 @@ const std::vector<Twin> kTwins{
     {"figures/fig04b-jiggled-y", kNeverNudged},
     {"figures/fig05-unstable-x", kAboutZ},
     {"figures/fig05b-rounding-only", {"simulation.model=quaternion"}},
-    {"figures/fig05c-nudged-x", {"nudge.0.at=1000"}},
+    {"figures/fig05c-nudged-x", {"nudge.0.at=1000", kEven}},
     {"figures/fig05d-ten-minutes", {"simulation.damping=0"}},
     {"figures/fig05d-ten-minutes", {"simulation.normalize=false"}},
     {"figures/fig06-undamped", {"simulation.damping=1"}},
@@ -211,6 +215,12 @@ INSTANTIATE_TEST_SUITE_P(All, ExpectingScene, ::testing::ValuesIn(scenesThatExpe
 
 class Figure : public ::testing::TestWithParam<std::string> {};
 
+bool slowsDownAtTimes(const scene::Scene& scene) {
+  return scene.clip.speed && !scene.clip.speed->stretches.empty() &&
+         std::ranges::all_of(scene.clip.speed->stretches,
+                             [](const scene::SpeedStretch& one) { return one.value < 1; });
+}
+
 TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
   const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
   EXPECT_EQ(scene.clip.width, 1280);
@@ -221,8 +231,12 @@ TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
   const bool isRealTime = std::ranges::none_of(
       std::array{"minutes in", "days in", "times as fast", "slow motion"},
       [&](const char* words) { return scene.title.find(words) != std::string::npos; });
-  const bool isEven = !scene.clip.speed || scene.clip.speed->stretches.empty();
-  EXPECT_EQ(isEven && scene.timePerFrame() == 1.0 / 60, isRealTime);
+  if (slowsDownAtTimes(scene)) {
+    EXPECT_TRUE(shows(scene, scene::Overlay::Clock)) << "says \"0.25×\" meanwhile";
+  } else {
+    const bool isEven = !scene.clip.speed || scene.clip.speed->stretches.empty();
+    EXPECT_EQ(isEven && scene.timePerFrame() == 1.0 / 60, isRealTime);
+  }
   EXPECT_FALSE(scene.title.empty());
   EXPECT_FALSE(scene.caption.empty());
   for (const scene::Panel& motion : scene.motions) {
@@ -232,6 +246,29 @@ TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
     EXPECT_LE(motion.body.size.maxCoeff(), kLargestSide);
     EXPECT_GE(motion.body.mass, kLightest);
     EXPECT_LE(motion.body.mass, kHeaviest);
+  }
+}
+
+/// How many letters a text in UTF-8 has.
+std::ptrdiff_t lettersOf(const std::string& text) {
+  return std::ranges::count_if(text, [](char byte) { return (byte & 0xC0) != 0x80; });
+}
+
+TEST_P(Figure, LeavesTimeToReadEachTextTwice) {
+  const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
+  std::vector<std::pair<double, std::string>> texts;  // with their time in the video [s]
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    const auto& text = scene.cues[shown.cue].text;
+    if (text) texts.emplace_back(static_cast<double>(shown.frame) / 60, *text);
+  }
+  ASSERT_GE(texts.size(), 2U);
+  EXPECT_EQ(texts.front().first, 0);
+  EXPECT_LE(texts.back().first, kLatest);
+  texts.emplace_back(scene.clip.duration, "");
+  for (std::size_t i = 0; i + 1 < texts.size(); ++i) {
+    const double seconds = texts[i + 1].first - texts[i].first;
+    EXPECT_LE(static_cast<double>(lettersOf(texts[i].second)) / seconds, kMostLetters)
+        << texts[i].second << " stands for " << seconds << " s";
   }
 }
 

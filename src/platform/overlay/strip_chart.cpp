@@ -26,6 +26,7 @@ struct Series {
   std::string letter;  ///< Replaces the name where there is no room.
   Colour colour;
   std::vector<double> values;
+  double width = 0.7;  ///< Of a line.
 };
 
 /// A thin line with its letter at the right, and a number for each sample.
@@ -217,7 +218,7 @@ class StripChart final : public DrawnOverlay {
     Canvas canvas = context_.canvas();
     for (const Series& one : content_.series) {
       canvas.line(pointsOf(one.values),
-                  {one.colour, 0.7 * context_.scale.line, 1, 0.5 * context_.scale.halo});
+                  {one.colour, one.width * context_.scale.line, 1, 0.5 * context_.scale.halo});
     }
     return canvas.take();
   }
@@ -284,13 +285,14 @@ std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Bo
   content.marks = energyMarks(context, start);
   const auto total = [](const physics::Sample& sample) { return sample.total(); };
   if (context.scene.motions[0].simulation.model == physics::Model::Particles) {
-    // If book and springs tremble, both curves are bands; the springs' band is the narrower.
-    content.series = {
-        seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start,
-                 [](const physics::Sample& sample) { return sample.kinetic; }),
-        seriesOf(context, words[scene::Word::Springs], "U", kSpringColour, start,
-                 [](const physics::Sample& sample) { return sample.potential; }),
-        seriesOf(context, words[scene::Word::Total], "E", kTotalColour, start, total)};
+    // While the springs hold nothing, the total is the kinetic energy: it is wider, beneath. If
+    // book and springs tremble, both curves are bands; the springs' band is the narrower.
+    content.series = {seriesOf(context, words[scene::Word::Total], "E", kTotalColour, start, total),
+                      seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start,
+                               [](const physics::Sample& sample) { return sample.kinetic; }),
+                      seriesOf(context, words[scene::Word::Springs], "U", kSpringColour, start,
+                               [](const physics::Sample& sample) { return sample.potential; })};
+    content.series.front().width *= 2.4;
   } else {
     content.series = {
         seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start, total)};

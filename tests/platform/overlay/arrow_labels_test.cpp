@@ -278,13 +278,13 @@ constexpr double kMaxCrossed = 0.08;     // of all frames; measured 0.071, in fi
 constexpr double kFastestLetter = 12.0;  // [pixels a frame]; measured 10.3, in fig03
 
 TEST(ArrowLabels, OfTheFiguresMeetNothing) {
-  for (const Shown& one : {Shown{"figures/fig03-stable-z", 960},            // measured 960
-                           Shown{"figures/fig04-stable-y", 960},            // measured 960
-                           Shown{"figures/fig05-unstable-x", 400},          // measured 439
-                           Shown{"figures/fig05b-rounding-only", 1000},     // measured 1161
-                           Shown{"figures/fig09-matrix", 400},              // measured 417
-                           Shown{"figures/fig09b-matrix-large-step", 700},  // measured 746
-                           Shown{"figures/figa-exact", 700},                // measured 760
+  for (const Shown& one : {Shown{"figures/fig03-stable-z", 756},            // measured 756
+                           Shown{"figures/fig04-stable-y", 756},            // measured 756
+                           Shown{"figures/fig05-unstable-x", 350},          // measured 390
+                           Shown{"figures/fig05b-rounding-only", 1000},     // measured 1057
+                           Shown{"figures/fig09-matrix", 350},              // measured 369
+                           Shown{"figures/fig09b-matrix-large-step", 400},  // measured 424
+                           Shown{"figures/figa-exact", 540},                // measured 569
                            Shown{"comparisons/axes", 0}}) {
     const scene::Scene whole = scene::shippedScene(one.name);
     for (const scene::Panel& motion : whole.motions) {

@@ -748,8 +748,9 @@ def write(name, svg, svg_only):
         subprocess.run(["rsvg-convert", "-b", "#000000", source, "-o", raw],
                        check=True)
         # Packs it, and drops the alpha channel, which is opaque throughout.
-        subprocess.run(["optipng", "-quiet", "-o1", "-nc", "-strip", "all",
-                        "-force", raw], check=True)
+        # Without filters it is unpacked in half the time.
+        subprocess.run(["optipng", "-quiet", "-o1", "-f0", "-nc", "-strip",
+                        "all", "-force", raw], check=True)
         shutil.copyfile(raw, picture)
 
 

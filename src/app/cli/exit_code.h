@@ -12,7 +12,7 @@ enum ExitCode : int {
   kUnmet = 1,          ///< An expectation, a comparison or a proof failed.
   kWrongInput = 2,     ///< The user's input is wrong.
   kMachineFailed = 3,  ///< The machine can't do it: no EGL, no encoder, a full disk.
-  kCoarse = 4,         ///< A clip is consistent with its scene, but too coarse to prove it.
+  kCoarse = 4,         ///< A clip is consistent with its scene, but its pictures can't be proved.
   /// Like kMachineFailed, but another try may succeed: EX_TEMPFAIL of sysexits.h. The program ends
   /// with it only if it is asked for: endStatus().
   kTryAgain = 75,

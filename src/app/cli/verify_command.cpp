@@ -121,6 +121,10 @@ std::string verdictText(const Verification& found) {
           "Consistent, coarsely: the motion is that of the scene, and {} may be, but the stream is "
           "coded too coarsely to prove it.\n{}",
           picturesCompared(found), worthText(found));
+    case pipeline::Verdict::Motion:
+      return "Motion proved: it is that of the scene, bit for bit. The pictures are a browser's "
+             "own, "
+             "which can't be compared.";
     case pipeline::Verdict::NotProved:
       return fmt::format("NOT PROVED: {} failed; {} were compared.",
                          countText(found.failures(), "check"), picturesCompared(found));
@@ -140,6 +144,8 @@ VerdictRow rowOf(pipeline::Verdict verdict) {
       return {"proved", kDone};
     case pipeline::Verdict::Coarse:
       return {"consistent, coarsely", kCoarse};
+    case pipeline::Verdict::Motion:
+      return {"motion proved", kCoarse};
     case pipeline::Verdict::NotProved:
       break;
   }
@@ -292,13 +298,15 @@ frames of it again and compares them with the clip's pictures, which must not be
 before or after; checks size, codec, colours, how the file has players crop, turn, stretch, deinterlace
 and time the pictures, number of frames, time stamps and duration. Only the pictures that were compared
 are proved: all of them with --all. How closely they must agree follows from the stream's quantisers; one
-that is coded coarsely is consistent at best. The last line says what the proof is worth.
+that is coded coarsely is consistent at best. The last line says what the proof is worth. Of a clip that
+the live book saved in a browser only the motion is proved.
 If the clip was made with another renderer, FFmpeg or version, a note says so, as pixels may differ then.
 With --again the clip is made anew as 'rotatebook render' does it, and what differs is said. The clip
 itself is never replaced, nor another scene's of its name without --overwrite.
 
 Exit status: 0 all is proved, or the same bytes; 1 a check failed, or other bytes; 2 the file can't be read, ends early or isn't a clip of
-rotatebook, 3 the machine can't draw, 4 nothing fails, but the stream is too coarse to prove it.
+rotatebook, 3 the machine can't draw, 4 nothing fails, but the stream is too coarse to prove it,
+or the pictures are a browser's.
 
 Examples:
   rotatebook verify out/starter.mp4

@@ -32,6 +32,7 @@ constexpr std::string_view kMotion = "# Motion: ";
 constexpr std::string_view kTextures = "# Textures: ";
 constexpr std::string_view kFrames = "# Frames: ";
 constexpr std::string_view kHeaderEnd = "\n\n";
+constexpr std::string_view kBrowser = "a browser, ";  // So a live book's renderer begins.
 
 constexpr std::size_t kLargestRecord = 1 << 20;  // Scenes take a few thousand. [bytes]
 
@@ -186,6 +187,10 @@ std::string clipText(scene::Scene scene) {
 }
 
 }  // namespace
+
+bool Provenance::isOfBrowser() const {
+  return renderer.starts_with(kBrowser);
+}
 
 Provenance provenanceOf(const scene::Scene& scene, const std::string& motionSum,
                         const std::map<std::string, std::string>& textures,

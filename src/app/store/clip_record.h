@@ -21,6 +21,9 @@ struct Provenance {
   std::string ffmpeg{};    ///< "5.1.6"; empty of frames alone.
   std::string motion{};    ///< motionChecksum()
   std::string textures{};  ///< "book.front CHECKSUM, ..."; built-in ones are left out.
+
+  /// Returns whether it says that the pictures are a browser's, as the live book saves them.
+  bool isOfBrowser() const;
 };
 
 /// Returns the provenance of a clip of `scene` that this program makes on this machine: `motionSum`

@@ -68,7 +68,7 @@ async function beginLiveBook(root, data) {
   if (lack) throw new Error(lack);
   const [core, pictures] = await Promise.all([Core.load(data.core), loadPictures(data.pictures)]);
   root.querySelector(".rb-player").hidden = false;
-  const player = new Player(root, core, pictures, data.shaders);
+  const player = new Player(root, core, {pictures, shaders: data.shaders, muxer: data.muxer});
   player.mayMove = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   player.begin(kOpening, player.mayMove);
   keepContext(player);

@@ -25,7 +25,7 @@ class Commands {
     const name = event.target.closest("[data-do]")?.dataset.do, {player} = this;
     const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), "The scene"),
-      save: () => saveText(player.sharedText(), "live-book.toml"), link: () => this.#copyLink()};
+      save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
     actions[name]?.();
   }
 

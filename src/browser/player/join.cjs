@@ -1,4 +1,4 @@
-// Joins the live book into one page that needs no other file: join.cjs CORE.js CORE.wasm VERSION OUTPUT-FOLDER.
+// Joins the live book into one page that needs no other file: join.cjs CORE.js CORE.wasm MUXER.js VERSION OUTPUT-FOLDER.
 "use strict";
 
 const fs = require("node:fs");
@@ -11,7 +11,7 @@ const kPictures = {front: 660, back: 660, spine: 176, paper: 256};  // Widths. [
 const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
 const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "polhode_ball", "timeline", "events", "knobs", "controls",
-  "pointer", "proof", "predict", "stage", "numbers", "simulation", "throws", "player", "commands", "begin"];
+  "pointer", "proof", "predict", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation", "throws", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",
   stars: "stars.frag", studio_lights: "studio_lights.glsl", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
 
@@ -33,9 +33,12 @@ const mapped = (object, action) => Object.fromEntries(Object.entries(object).map
 /** A script's text must not end its element. */
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 
-function fragment(glue, wasm, folder) {
+const zipped = (file) => zlib.gzipSync(fs.readFileSync(file), {level: 9}).toString("base64");
+
+function fragment(glue, wasm, muxer, folder) {
   const data = {
-    core: zlib.gzipSync(fs.readFileSync(wasm), {level: 9}).toString("base64"),
+    core: zipped(wasm),
+    muxer: zipped(muxer),
     shaders: mapped(kShaders, shader),
     pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
   };
@@ -44,9 +47,9 @@ function fragment(glue, wasm, folder) {
   return `<style>\n${read(kHere, "player.css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
 }
 
-const [glue, wasm, version, folder] = process.argv.slice(2);
+const [glue, wasm, muxer, version, folder] = process.argv.slice(2);
 fs.mkdirSync(folder, {recursive: true});
-const live = fragment(glue, wasm, folder);
+const live = fragment(glue, wasm, muxer, folder);
 fs.writeFileSync(path.join(folder, "live_book.html"), live);
 const icon = /<link rel="icon"[^>]*>/.exec(read(kRoot, "assets/page/index.html"))[0];
 const values = {version, icon, "live-book": live};

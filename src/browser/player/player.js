@@ -17,12 +17,18 @@ show = ["omega", "momentum", "polhode"]
 `;
 const kBudget = 7;           // Of simulating ahead, in a picture's time. [ms]
 const kCatchingUp = 40;      // The same where the picture waits for it. [ms]
-const kTrailFrames = 240;
-const kTrailStep = 2;        // [frames]
+
+/** Returns the sizes of each motion's vectors at the start. */
+function scalesAtStart(core, slot, motions) {
+  const start = (i, first) => Math.hypot(...core.sample(slot, i, 0).subarray(first, first + 3)) || 1;
+  return motions.map((motion, i) => ({omega: start(i, kSample.omega), momentum: start(i, kSample.momentum)}));
+}
 
 class Player {
-  constructor(root, core, pictures, shaders) {
+  /** `materials`: {pictures, shaders} to draw with, and the packed muxer. */
+  constructor(root, core, materials) {
     this.root = root;
+    this.materials = materials;
     this.core = core;
     this.find = (selector) => root.querySelector(selector);
     this.announcer = new Announcer(this.find(".rb-events"), this.find(".rb-message"));
@@ -32,12 +38,13 @@ class Player {
     this.edits = 0;
     this.wanted = null;
     this.simulation = new Simulation(core, (message) => this.announcer.show(message, "bad"));
-    this.drawing = new Stage(root, core, pictures, shaders);
+    this.drawing = new Stage(root, core, materials.pictures, materials.shaders);
     this.stage = this.drawing.lines;
     this.timeline = new Timeline(this.find(".rb-timeline canvas"), this.find(".rb-seek"));
     this.ball = new PolhodeBall(this.find(".rb-ball"));
     this.predict = new Predict(this.find(".rb-question"), this);
     this.throws = new Throws(this);
+    this.saver = new ClipSaver(root, this);
     this.onEdit = () => {};
   }
 
@@ -120,18 +127,13 @@ class Player {
     // A recording states no start, from which the exact motion would go on.
     const ghost = read.motions.some(({model}) => model === "recorded") ? null : this.scene.ghostTree();
     this.simulation.begin(ghost && this.core.textOf(ghost));
-    const start = (i, first) => Math.hypot(...this.core.sample(kPlayed, i, 0).subarray(first, first + 3)) || 1;
-    this.scales = read.motions.map((motion, i) => ({omega: start(i, kSample.omega), momentum: start(i, kSample.momentum)}));
+    this.scales = scalesAtStart(this.core, kPlayed, read.motions);
     this.scene.speeds = this.scales.map(({omega}) => omega);
     this.restoreCloth();
     this.#goTo(frame);
   }
 
-  /** Covers of plain cloth, if the scene asks for them. */
-  restoreCloth() {
-    const colour = this.scene.explicit.book?.color;
-    this.drawing.view.setCloth(colour ? {white: [1, 1, 1], black: [0, 0, 0]}[colour] ?? colourOf(colour) : null);
-  }
+  restoreCloth() { this.drawing.view.setCloth(clothOf(this.scene)); }
 
   /** Shows a frame at once if it is soon simulated; else the picture stays as it is until then. */
   #goTo(frame) {
@@ -217,12 +219,7 @@ class Player {
     const {moments} = this.read.motions[this.book], isShown = this.scene.shows("polhode");
     this.find(".rb-ball-frame").hidden = !isShown;
     if (!isShown) return;
-    const trail = [];
-    for (let at = Math.max(frame - kTrailFrames, 0); at < frame; at += kTrailStep) {
-      trail.push(momentumInBook(this.core.sample(kPlayed, this.book, at)));
-    }
-    trail.push(momentumInBook(this.core.sample(kPlayed, this.book, frame)));
-    this.ball.draw(moments, trail);
+    this.ball.draw(moments, trailOf(this.core, this.book, frame));
   }
 
   redraw() { this.isDirty = true; }
@@ -364,6 +361,8 @@ class Player {
   }
 
   async #openClip(file, isWanted, edits) {
+    // Both take the same slot.
+    if (this.saver.isSaving) throw new RecordError(`${file.name} has to wait: a clip is being saved. Drop it again once that is done or cancelled.`);
     const say = (share) => this.announcer.show(`Simulating ${file.name} again … ${Math.floor(100 * share)} %`);
     const proof = await proveClip(this.core, file, say, isWanted);
     if (!proof || !isWanted()) return;

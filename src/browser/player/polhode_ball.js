@@ -2,6 +2,8 @@
 
 const kBallView = [0.55, 0.42];  // Turned to the right and up. [rad]
 const kCurves = [0.03, 0.12, 0.3, 0.55, 0.85];  // Shares of the way from an axis to the separatrix.
+const kTrailFrames = 240;
+const kTrailStep = 2;        // [frames]
 const kBallColours = {ball: "#23262b", rim: "#4a4f57", curve: "#6d737c", separatrix: "#f7f5ed", trail: "#e899d9", now: "#ffffff"};
 
 /** Returns the points of a curve of energy `energy` about axis `about`, on its positive side; sizes of L and L² are 1. */
@@ -100,9 +102,8 @@ class PolhodeBall {
     context.globalAlpha = 1;
   }
 
-  /** `trail`: directions of L in the book's axes, the last of them now. */
-  draw(moments, trail) {
-    const scale = devicePixelRatio || 1, size = Math.round(this.canvas.clientWidth * scale);
+  /** `trail`: directions of L in the book's axes, the last of them now; `size` and the width of a line, `scale`, in pixels. */
+  draw(moments, trail, size = Math.round(this.canvas.clientWidth * (devicePixelRatio || 1)), scale = devicePixelRatio || 1) {
     if (size === 0) return;
     if (this.canvas.width !== size) this.canvas.width = this.canvas.height = size;
     this.context = this.canvas.getContext("2d");
@@ -120,6 +121,13 @@ class PolhodeBall {
     this.context.fill();
     this.context.globalAlpha = 1;
   }
+}
+
+/** Returns the directions of L in a book's axes up to a frame, that of the frame last. */
+function trailOf(core, book, frame) {
+  const at = (then) => momentumInBook(core.sample(kPlayed, book, then)), trail = [];
+  for (let then = Math.max(frame - kTrailFrames, 0); then < frame; then += kTrailStep) trail.push(at(then));
+  return [...trail, at(frame)];
 }
 
 /** Returns the direction of L in the book's axes. */

@@ -26,8 +26,9 @@ async function simulateToEnd(core, slot, progress, isWanted) {
 /** Returns the words of the comparison. */
 function verdict(core, file, record, motion) {
   if (motion === record.motion) {
-    return `Motion proved: simulated again here, it is that of ${file.name}’s record bit for bit. The clip’s pictures weren’t compared: ` +
-      `rotatebook verify does that. Checksum ${motion}.`;
+    const pictures = record.isOfBrowser ? "The clip’s pictures are a browser’s own, which can’t be compared." :
+      "The clip’s pictures weren’t compared: rotatebook verify does that.";
+    return `Motion proved: simulated again here, it is that of ${file.name}’s record bit for bit. ${pictures} Checksum ${motion}.`;
   }
   const versions = record.program === core.words.version ? "" :
     ` The clip was made by rotatebook ${record.program}; this page is of ${core.words.version}.`;

@@ -1,10 +1,12 @@
 // Reads the record of a clip: the text that rotatebook stores in the comment of an MP4 or a WebM.
 
+const kBrowserRenderer = "a browser, ";  // So the renderer begins where the pictures are a browser's.
+
 /** A clip that says nothing, or not all, of how it was made; the message is for people. */
 class RecordError extends Error {}
 
 /**
- * Returns {program, scene, motion, frames, text} of a clip's record; null once `isWanted` says no: the core reads one clip at a
+ * Returns {program, scene, motion, frames, isOfBrowser, text} of a clip's record; null once `isWanted` says no: the core reads one clip at a
  * time. Throws RecordError if it has none, or can't be read.
  */
 async function readRecord(core, blob, isWanted = () => true) {
@@ -24,5 +26,5 @@ function parseRecord(text) {
   if (!origin) throw new RecordError("The clip’s record is damaged: it doesn’t name its scene.");
   const motion = value("Motion");
   if (!motion) throw new RecordError("The clip’s record has no checksum of its motion.");
-  return {program: origin[1], scene: origin[2], motion, frames: value("Frames"), text};
+  return {program: origin[1], scene: origin[2], motion, frames: value("Frames"), isOfBrowser: value("Renderer").startsWith(kBrowserRenderer), text};
 }

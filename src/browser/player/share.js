@@ -73,9 +73,11 @@ async function readable(name, read) {
   }
 }
 
-function saveText(text, name) {
+const saveText = (text, name) => saveBlob(new Blob([text], {type: "application/toml"}), name);
+
+function saveBlob(blob, name) {
   const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], {type: "application/toml"}));
+  link.href = URL.createObjectURL(blob);
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);

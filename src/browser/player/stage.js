@@ -30,11 +30,15 @@ class Stage {
     this.books = [];
   }
 
+  /** The picture's size. [CSS pixels] */
+  get box() { return {width: this.picture.clientWidth, height: this.picture.clientHeight}; }
+  /** Pixels of the lines a CSS pixel. */
+  get sharpness() { return Math.min(devicePixelRatio || 1, kLargestScale); }
   /** Pixels of the drawing a CSS pixel. */
-  get scale() { return Math.min(devicePixelRatio || 1, kLargestScale) * (this.isMoving ? this.quality : 1); }
+  get scale() { return this.sharpness * (this.isMoving ? this.quality : 1); }
 
   #fit(canvas, scale) {
-    const width = Math.max(Math.round(canvas.clientWidth * scale), 2), height = Math.max(Math.round(canvas.clientHeight * scale), 2);
+    const {box} = this, width = Math.max(Math.round(box.width * scale), 2), height = Math.max(Math.round(box.height * scale), 2);
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
   }
@@ -51,7 +55,7 @@ class Stage {
   draw(frame, state) {
     this.isMoving = state.clock.isPlaying;
     this.#fit(this.picture, this.scale);
-    this.#fit(this.lines, Math.min(devicePixelRatio || 1, kLargestScale));
+    this.#fit(this.lines, this.sharpness);
     const {width, height} = this.picture;
     const motions = state.read.motions, areas = dividedAreas(motions.length, width, height);
     this.#takeBodies(motions, state.scene);
@@ -90,7 +94,7 @@ class Stage {
   #drawLines(frame, state) {
     const context = this.lines.getContext("2d"), ratio = this.lines.width / this.picture.width;
     context.clearRect(0, 0, this.lines.width, this.lines.height);
-    const unit = this.lines.width / this.lines.clientWidth;
+    const unit = this.lines.width / this.box.width;
     const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));
     this.books.forEach((book, i) => {
       const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
@@ -152,6 +156,12 @@ class Stage {
       return axis.map((part) => part / size);
     });
   }
+}
+
+/** Returns the colour of a scene's covers of plain cloth; null if it doesn't ask for them. */
+function clothOf(scene) {
+  const colour = scene.explicit.book?.color;
+  return colour ? {white: [1, 1, 1], black: [0, 0, 0]}[colour] ?? colourOf(colour) : null;
 }
 
 /** Returns the parts, 0 to 1, of a colour such as "#2b5d8a". */

@@ -163,6 +163,24 @@ TEST_F(VerifyCommand, ProvesNoCoarseClip) {
               HasSubstr("\"proved\": false, \"verdict\": \"consistent, coarsely\", "));
 }
 
+TEST_F(VerifyCommand, ProvesTheMotionAloneOfABrowsersClip) {
+  render();
+  const std::string made = read("out/tiny.mp4");
+  const std::size_t begin = made.find("# Renderer: ") + 12, end = made.find('\n', begin);
+  ASSERT_GT(end - begin, 11);
+  std::string renderer = "a browser, ";
+  renderer.resize(end - begin, 'x');
+  change(made.substr(begin, end - begin), renderer);
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 4) << result.output << result.error;
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\nMotion proved: it is that of the scene, bit for bit. The "
+                              "pictures are a browser's own, which can't be compared."),
+                    Not(HasSubstr("FAILED")), Not(HasSubstr("note"))));
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output,
+              HasSubstr("\"proved\": false, \"verdict\": \"motion proved\", "));
+}
+
 TEST_F(VerifyCommand, NotesOtherToolsWithoutFailing) {
   render();
   change("# Renderer: llvmpipe", "# Renderer: llvmPIPE");

@@ -3,10 +3,11 @@
 
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
+const path = require("node:path");
 const {test} = require("node:test");
 const {pathToFileURL} = require("node:url");
 const puppeteer = require("puppeteer-core");
-const {kPlay, kTurns, render} = require("./live_page.cjs");
+const {kPlay, kOutput, kTurns, render, verify} = require("./live_page.cjs");
 const {kScenes, kMotions, giveFiles} = require("./shipped.cjs");
 
 /** A page that opens files as people's Firefox does: what lies beside it is another origin. */
@@ -43,6 +44,34 @@ test("all scenes have the checksums of the table, and a clip is proved", async (
       return !player.drawing.view.isLost && Math.max(...reds) > 100 && Math.min(...reds) < 60;
     });
     assert.ok(isDrawn);
+  } finally {
+    await close();
+  }
+});
+
+test("a clip is saved, as what this browser has an encoder for", async () => {
+  const {page, close} = await open(true);
+  try {
+    const {name, content, said} = await page.evaluate(async (scene) => {
+      const {player} = rotatebook;
+      player.load(scene, {isPlaying: false});
+      let blob, name;
+      const create = URL.createObjectURL;
+      URL.createObjectURL = (object) => create.call(URL, blob = object);
+      HTMLAnchorElement.prototype.click = function() { name = this.download; };
+      await player.saver.save();
+      const reader = new FileReader();
+      await new Promise((resolve) => { reader.onload = resolve; reader.readAsDataURL(blob); });
+      return {name, content: reader.result.split(",")[1], said: document.querySelector(".rb-message").textContent};
+    }, kTurns.replace("[64, 36]\nduration = 1.5", "[320, 180]\nduration = 0.5"));
+    console.log(said);
+    assert.match(said, /^Saved live-book\.(mp4|webm|zip): 30 pictures of 320x180, (H\.264|VP9|PNG), /);
+    const file = path.join(kOutput, "clips", `firefox-${name}`);
+    fs.writeFileSync(file, Buffer.from(content, "base64"));
+    if (name.endsWith("zip")) return;
+    const {status, output} = verify(file);
+    assert.equal(status, 4, output);
+    assert.match(output, /^Motion proved: /m);
   } finally {
     await close();
   }

@@ -5,7 +5,7 @@ const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
-const {execFileSync} = require("node:child_process");
+const {execFileSync, spawnSync} = require("node:child_process");
 const {chromium} = require("playwright-core");
 
 const kRoot = path.join(__dirname, "../../..");
@@ -35,6 +35,12 @@ const closeBrowser = () => browser?.close();
 
 function rotatebook(...words) {
   return execFileSync(process.env.ROTATEBOOK_PROGRAM, words, {cwd: kOutput, encoding: "utf8", stdio: "pipe"});
+}
+
+/** Verifies a clip; returns the status and what is said. */
+function verify(file) {
+  const {status, stdout, stderr} = spawnSync(process.env.ROTATEBOOK_PROGRAM, ["verify", file], {cwd: kOutput, encoding: "utf8"});
+  return {status, output: stdout + stderr};
 }
 
 /** Renders a scene's text as the smallest of clips; returns the file's name. */
@@ -94,4 +100,4 @@ const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
 const messageOf = (page) => page.locator(".rb-message").textContent();
 const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
 
-module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, render, playerScripts, coreFor, recordOf, open, checksumOf, frameOf, sceneOf, messageOf, load};
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, checksumOf, frameOf, sceneOf, messageOf, load};

@@ -60,6 +60,15 @@ std::string cropText(const std::array<std::int64_t, 4>& crop) {
                      bottom);
 }
 
+ClipCheck sizeCheck(const video::ClipFacts& facts, const scene::Scene& scene) {
+  return equality(kSizeCheck, sizeText(facts.width, facts.height),
+                  sizeText(scene.clip.width, scene.clip.height));
+}
+
+ClipCheck displayCheck(const video::ClipFacts& facts) {
+  return equality("display", facts.display, "as stored");
+}
+
 ClipCheck titleCheck(const std::string& title, const std::string& wanted) {
   constexpr std::size_t kMaxLetters = 200;
   return {"title", oneLine(title, kMaxLetters), oneLine(wanted, kMaxLetters), title == wanted};
@@ -72,16 +81,20 @@ const video::RecordedStream& wantedOf(const video::ClipFacts& facts) {
 }  // namespace
 
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene) {
-  const std::string size = sizeText(scene.clip.width, scene.clip.height);
   const std::string colours = coloursText(kColours);
-  return {equality(kSizeCheck, sizeText(facts.width, facts.height), size),
+  return {sizeCheck(facts, scene),
           equality(kCodecCheck, codecText(facts), codecText(rowOf(facts.format))),
           equality("colours", coloursText(facts.colours), colours),
           equality("container", coloursText(facts.containerColours), colours),
           equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
                    shapesText("1:1", "1:1")),
-          equality("display", facts.display, "as stored"),
+          displayCheck(facts),
           titleCheck(facts.title, scene.title)};
+}
+
+std::vector<ClipCheck> checkBrowserStream(const video::ClipFacts& facts,
+                                          const scene::Scene& scene) {
+  return {sizeCheck(facts, scene), displayCheck(facts), titleCheck(facts.title, scene.title)};
 }
 
 std::vector<ClipCheck> checkForm(const video::FormDifferences& found) {

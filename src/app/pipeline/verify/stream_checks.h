@@ -19,6 +19,9 @@ inline constexpr const char* kCodecCheck = "codec";
 /// Checks size, codec, colours, pixel aspect ratio, display transformation and title.
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene);
 
+/// Checks of these what doesn't depend on the encoder: size, display transformation and title.
+std::vector<ClipCheck> checkBrowserStream(const video::ClipFacts& facts, const scene::Scene& scene);
+
 /// Checks that the file has the parts and units that rotatebook writes, and no others.
 std::vector<ClipCheck> checkForm(const video::FormDifferences& found);
 

@@ -118,7 +118,8 @@ class Verifier {
     Verification found{.record = record_,
                        .range = pipeline::framesToRender(motion_, record_.part),
                        .wholeCount = motion_.frameCount()};
-    found.checks = checkStream(reader_.facts(), record_.scene);
+    const bool isOfBrowser = record_.provenance.isOfBrowser();
+    found.checks = (isOfBrowser ? checkBrowserStream : checkStream)(reader_.facts(), record_.scene);
     found.checks.push_back(checkRecord(clip_));
     found.checks.push_back(checkMotion(record_.provenance, motionSum_));
     std::ranges::copy(checkCaptions(path_, record_, motion_), std::back_inserter(found.checks));
@@ -126,7 +127,8 @@ class Verifier {
     const auto isWrong = [](const ClipCheck& check) {
       return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
     };
-    if (std::ranges::none_of(found.checks, isWrong)) decode(found);
+    if (std::ranges::any_of(found.checks, isWrong)) return found;
+    isOfBrowser ? decodeBrowsers(found) : decode(found);
     return found;
   }
 
@@ -135,6 +137,16 @@ class Verifier {
                                            const store::TextureLookup& textures) {
     video::requireWholeFile(clip);
     return store::readRecordedClip(clip, textures);
+  }
+
+  /// Decodes a browser's clip, for the times of its pictures.
+  void decodeBrowsers(Verification& found) {
+    TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
+    for (std::int64_t frame = 1; reader_.next(); ++frame) {
+      times.add(reader_.time());
+      if (options_.progress) options_.progress({frame, found.range.count()});
+    }
+    std::ranges::copy(times.checks(), std::back_inserter(found.checks));
   }
 
   void decode(Verification& found) {
@@ -213,6 +225,7 @@ std::int64_t Verification::failures() const {
 
 Verdict Verification::verdict() const {
   if (failures() > 0) return Verdict::NotProved;
+  if (record.provenance.isOfBrowser()) return Verdict::Motion;
   return isCoarse(*this) ? Verdict::Coarse : Verdict::Proved;
 }
 

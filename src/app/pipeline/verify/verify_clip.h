@@ -31,6 +31,7 @@ struct VerifyOptions {
 enum class Verdict {
   Proved,
   Coarse,  ///< Nothing fails, but the stream is coded too coarsely to prove the pictures.
+  Motion,  ///< Nothing fails, but the pictures are a browser's, which aren't compared.
   NotProved,
 };
 
@@ -43,10 +44,10 @@ struct Verification {
   /// Empty if no pictures were compared.
   std::vector<std::string> toolsDiffer{};
   std::vector<ClipCheck> checks{};
-  /// Empty if size or codec are wrong.
+  /// Empty if size or codec are wrong, or the pictures are a browser's.
   std::vector<PictureCheck> pictures{};
   /// Mean quantiser of all pictures of the stream, see video::PictureFacts; none if the decoder
-  /// reports none, or size or codec are wrong.
+  /// reports none, or there are no `pictures`.
   std::optional<double> quantiser{};
 
   /// Returns how many checks failed, including those of pictures.
@@ -57,9 +58,9 @@ struct Verification {
 };
 
 /// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares
-/// the clip with that. Throws InputError where video::requireWholeFile(), store::readRecordedClip()
-/// and video::ClipReader do, and for frames that the clip doesn't have; MachineError if nothing can
-/// be drawn.
+/// the clip with that. Of one that a browser made, pictures and coding aren't compared. Throws
+/// InputError where video::requireWholeFile(), store::readRecordedClip() and video::ClipReader do,
+/// and for frames that the clip doesn't have; MachineError if nothing can be drawn.
 Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options);
 
 }  // namespace rotatebook::pipeline

@@ -359,6 +359,35 @@ TEST(VerifyClip, ProvesNoCoarseStream) {
   EXPECT_GT(found.unnoticed().rms, encodingBound(kCoarsestProof, 320, 180).rms);
 }
 
+/// A clip whose record says that a browser made it, of another book: its pictures differ.
+Forgery browsersClip() {
+  return {.shown = shownScene({"look.background=stars"}), .made = [](store::Provenance& made) {
+            made.renderer = "a browser, Chrome 1";
+            made.ffmpeg.clear();
+          }};
+}
+
+TEST(VerifyClip, ProvesTheMotionAloneOfABrowsersClip) {
+  const Verification found = verified(browsersClip());
+  EXPECT_THAT(failedIn(found), IsEmpty());
+  EXPECT_THAT(found.pictures, IsEmpty());
+  EXPECT_EQ(found.verdict(), Verdict::Motion);
+}
+
+TEST(VerifyClip, RefusesABrowsersClipOfAnotherMotionOrFewerPictures) {
+  Forgery other = browsersClip();
+  other.made = [made = other.made](store::Provenance& provenance) {
+    made(provenance);
+    provenance.motion.back() = provenance.motion.back() == '0' ? '1' : '0';
+  };
+  EXPECT_THAT(failedIn(verified(other)), ElementsAre("motion"));
+  Forgery shorter = browsersClip();
+  shorter.frames = kFrames - 1;
+  const Verification found = verified(shorter);
+  EXPECT_THAT(failedIn(found), ElementsAre("frames", "duration"));
+  EXPECT_EQ(found.verdict(), Verdict::NotProved);
+}
+
 // The record's rate factor is the forger's: libx264's note has another, and the bounds are the
 // stream's own.
 TEST(VerifyClip, HoldsAFineStreamToItsOwnBounds) {

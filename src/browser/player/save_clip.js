@@ -1,0 +1,138 @@
+// Saves what is played as a clip: each frame of the scene's own clock, however long that takes, with its record.
+
+const kClipName = "live-book";
+const kLargestClip = [1920, 1080];  // [pixels]
+
+/** Lets the page draw and answer, in a tab that is hidden, too, whose timers are slow. */
+const gap = () => new Promise((resolve) => {
+  const {port1, port2} = new MessageChannel();
+  port1.onmessage = () => {
+    port1.close();
+    resolve();
+  };
+  port2.postMessage(null);
+});
+
+/** Returns the size [pixels] at which a clip is saved: even, and no larger than kLargestClip. */
+function savedSize([width, height]) {
+  const share = Math.min(1, kLargestClip[0] / width, kLargestClip[1] / height);
+  return [width, height].map((side) => Math.max(2 * Math.round(share * side / 2), 16));
+}
+
+/** Returns the record of a clip whose pictures are this browser's, as the program writes records. */
+function recordOfClip(version, motion, text, kind) {
+  const [, name = "unknown", number = ""] = /(Firefox|Edg|Chrome|Version)\/(\d+)/.exec(navigator.userAgent) ?? [];
+  const browser = {Edg: "Edge", Version: "Safari"}[name] ?? name;
+  return `# Made by rotatebook ${version} from the scene ${kClipName}\n# Renderer: ${kBrowserRenderer}${browser} ${number}, WebGL 2, ${kind}\n` +
+    `# Motion: ${motion}\n\n${text}`;
+}
+
+/** Returns the core with the clip's motion, in the slot for proofs, in place of what is played; `ghosts`: its ghost's samples by motion and frame. */
+function coreOfClip(core, ghosts) {
+  return new Proxy(core, {get: (target, name) => {
+    if (typeof target[name] !== "function") return target[name];
+    if (name === "sample") {
+      return (slot, motion, frame) => (slot === kGhost ? ghosts[motion][frame] : target.sample(kProof, motion, frame));
+    }
+    return (slot, ...values) => target[name](slot === kPlayed ? kProof : slot, ...values);
+  }});
+}
+
+class ClipSaver {
+  /** `player`: with core, scene, read, orbit, book, simulation, materials, announcer, sharedText(). */
+  constructor(root, player) {
+    this.player = player;
+    this.row = root.querySelector(".rb-saving");
+    this.button = root.querySelector("[data-do=clip]");
+    this.job = null;
+  }
+
+  get isSaving() { return this.job !== null; }
+  cancel() { this.job = null; }
+
+  async save() {
+    if (this.isSaving) return;
+    const job = this.job = {isWanted: () => this.job === job}, {announcer} = this.player;
+    announcer.show("");
+    this.player.job = job;  // A clip that is being proved gives up its place.
+    this.#show(0, filled("Saving the clip …"));
+    this.row.hidden = false;
+    this.button.setAttribute("aria-disabled", "true");
+    try {
+      await this.#save(job);
+      announcer.show(...(job.isWanted() ? [job.words, "good"] : [filled("The clip isn’t saved: cancelled.")]));
+    } catch (error) {
+      announcer.show(filled("The clip isn’t saved: {problem}", {problem: error.message}), "bad");
+      if (!(error instanceof ClipError || error instanceof SceneError)) throw error;
+    } finally {
+      job.file?.close();
+      job.picture?.close();
+      this.job = null;
+      if (this.row.contains(document.activeElement)) this.button.focus();
+      this.row.hidden = true;
+      this.button.removeAttribute("aria-disabled");
+    }
+  }
+
+  #show(share, words) {
+    this.row.querySelector("progress").value = share;
+    this.row.querySelector("span").textContent = words;
+  }
+
+  async #save(job) {
+    const clip = await this.#simulate(job);
+    if (!clip) return;
+    const {core, materials} = this.player, {size, frames} = clip;
+    const picture = job.picture = new ClipPicture(coreOfClip(core, clip.ghosts), materials, size, clip.state);
+    picture.draw(0);
+    const file = job.file = await fileFor(picture.canvas, clip, materials.muxer);
+    await file.start();
+    for (let frame = 0; frame < frames; ++frame) {
+      picture.draw(frame);
+      await file.add(frame);
+      this.#show((frame + 1) / frames, filled("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * (frame + 1) / frames)}));
+      await gap();
+      if (!job.isWanted()) return;
+    }
+    const blob = await file.finish(), name = `${kClipName}.${file.ending}`;
+    if (!job.isWanted()) return;
+    saveBlob(blob, name);
+    job.words = filled("Saved {name}: {frames} pictures of {width}x{height}, {kind}, with the record of its motion. Drop it here to prove it.",
+      {name, frames, width: size[0], height: size[1], kind: file.kind});
+  }
+
+  /** Simulates the clip in the slot for proofs, and what its ghost does before; null once it isn't wanted. */
+  async #simulate({isWanted}) {
+    const {player} = this, {core} = player, {ghostText} = player.simulation, book = player.book;
+    const orbit = player.canShareView ? {right: 0, up: 0, distance: 1} : {...player.orbit};
+    const tree = core.treeOf(player.sharedText());
+    const size = savedSize(player.scene.explicit.clip.size);
+    tree.clip = {...tree.clip, size};
+    const text = core.textOf(tree);
+    const progress = (share) => this.#show(0, filled("Simulating … {percent} %", {percent: Math.floor(100 * share)}));
+    const ghosts = ghostText === null ? [] : await ghostSamples(core, ghostText, progress, isWanted);
+    if (!ghosts) return null;
+    const read = core.read(kProof, text);
+    if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
+    const whole = core.sceneText(kProof), scene = new LiveScene(tree, core.treeOf(whole), text, core.words);
+    return {size, ghosts, text: whole, title: scene.explicit.title ?? "", rate: read.rate, frames: core.frames(kProof), motion: core.checksum(kProof),
+      version: core.words.version, state: {clock: {isPlaying: false}, scene, read, orbit, book, hand: null, scales: scalesAtStart(core, kProof, read.motions),
+        simulation: {ghostFrames: ghosts[0]?.length ?? 0}}};
+  }
+}
+
+/** Returns the samples of a ghost's motions, by motion and frame; null once they aren't wanted. */
+async function ghostSamples(core, text, progress, isWanted) {
+  const {motions} = core.read(kProof, text);
+  if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
+  return motions.map((_, motion) => Array.from({length: core.frames(kProof)}, (unused, frame) => core.sample(kProof, motion, frame)));
+}
+
+/** Returns the file that this browser can make of a clip. */
+async function fileFor(canvas, clip, packedMuxer) {
+  const {rate, title, version, motion, text} = clip, record = (kind) => recordOfClip(version, motion, text, kind);
+  const choice = await codecFor(canvas, rate[0] / rate[1]);
+  if (!choice) return new PictureFile(canvas, record("PNG"));
+  const comment = record(choice.codec.name);
+  return new VideoFile(canvas, choice, rate, title ? {title, comment} : {comment}, await muxerOf(packedMuxer));
+}

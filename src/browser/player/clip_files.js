@@ -58,6 +58,20 @@ async function codecFor(canvas, rate) {
   return null;
 }
 
+/**
+ * Puts a void in place of the target's name, "MOVIE", in front of a WebM's tags: to FFmpeg a tag below a name isn't "comment", as
+ * those that rotatebook writes are, but "MOVIE/comment".
+ */
+function withoutTargetName(bytes) {
+  const name = [0x63, 0xca, 0x85, ...new TextEncoder().encode("MOVIE")];
+  for (let at = bytes.indexOf(name[0]); at >= 0; at = bytes.indexOf(name[0], at + 1)) {
+    if (!name.every((byte, i) => bytes[at + i] === byte)) continue;
+    bytes.set([0xec, 0x80 + name.length - 2, 0, 0, 0, 0, 0, 0], at);
+    return bytes;
+  }
+  return bytes;
+}
+
 let muxer = null;
 
 /** The muxer is code that is packed with the page, and made when it is first asked for. */
@@ -122,7 +136,8 @@ class VideoFile {
     await this.written.catch(() => {});
     this.#check();
     await this.output.finalize();
-    return new Blob([this.output.target.buffer], {type: `video/${this.ending}`});
+    const bytes = new Uint8Array(this.output.target.buffer);
+    return new Blob([this.ending === "webm" ? withoutTargetName(bytes) : bytes], {type: `video/${this.ending}`});
   }
 
   close() {

@@ -33,6 +33,12 @@ const mapped = (object, action) => Object.fromEntries(Object.entries(object).map
 /** A script's text must not end its element. */
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 
+/** Takes comments and spaces out of scripts, by the esbuild that joined the muxer; names stay. */
+function shortened(scripts, muxer) {
+  const esbuild = path.join(path.dirname(muxer), "node_modules/.bin/esbuild");
+  return execFileSync(esbuild, ["--minify-whitespace", "--minify-syntax", "--charset=utf8"], {input: scripts.join("\n"), encoding: "utf8"});
+}
+
 const zipped = (file) => zlib.gzipSync(fs.readFileSync(file), {level: 9}).toString("base64");
 
 function fragment(glue, wasm, muxer, folder) {
@@ -43,7 +49,7 @@ function fragment(glue, wasm, muxer, folder) {
     pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
   };
   const scripts = kScripts.map((name) => read(kHere, name + ".js"));
-  const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, ...scripts, "})();"].join("\n");
+  const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, shortened(scripts, muxer), "})();"].join("\n");
   return `<style>\n${read(kHere, "player.css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
 }
 

@@ -58,6 +58,11 @@ test("the longest motions play in all slots at once, in any order", () => {
   assert.ok(highWater() < kMemory - 16 * 2 ** 20, "measured 229 MiB");
 });
 
+test("the page is one file of at most 1.2 MB", () => {
+  const {size} = fs.statSync(kPlay);
+  assert.ok(size < 1.2e6, `${size} bytes, measured 1.09e6`);
+});
+
 test("longer ones are refused, and what is played stays", () => {
   core.read(0, sceneOf(100, 1));
   for (const [frames, books] of [[36000, 6], [180000, 1], [kMaxFrames + 1, 1], [12001, 6]]) {

@@ -4,7 +4,7 @@
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const {test, before, after} = require("node:test");
-const {startBrowser, closeBrowser, open, load} = require("./live_page.cjs");
+const {kTurns, startBrowser, closeBrowser, open, load} = require("./live_page.cjs");
 const {kScenes} = require("./shipped.cjs");
 
 const kGrowth = 1.0e6;  // [bytes]
@@ -41,6 +41,25 @@ test("memory doesn't grow", async () => {
   console.log(`heap ${early.heap} after ${early.frame} frames, ${late.heap} after ${late.frame}; core ${early.core}, ${late.core}`);
   assert.equal(late.core, early.core);
   assert.ok(late.heap - early.heap < kGrowth, `${early.heap} to ${late.heap}`);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("memory is steady while a clip is saved", async () => {
+  const {page, problems, close} = await open();
+  await load(page, kTurns.replace("duration = 1.5", "duration = 8"));
+  await page.evaluate(() => { rotatebook.player.saver.save(); });
+  const heapAt = async (share) => {
+    await page.waitForFunction((least) => document.querySelector(".rb-saving progress").value > least, share, {timeout: 120000});
+    return page.evaluate(() => {
+      gc();
+      return performance.memory.usedJSHeapSize;
+    });
+  };
+  const early = await heapAt(0.1), late = await heapAt(0.9);
+  console.log(`heap ${early} after a tenth of a clip of 480 pictures, ${late} after nine`);
+  assert.ok(late - early < kGrowth, `${early} to ${late}`);
+  await page.waitForFunction(() => /^Saved/.test(document.querySelector(".rb-message").textContent));
   assert.deepEqual(problems, []);
   await close();
 });

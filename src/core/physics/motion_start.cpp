@@ -1,5 +1,7 @@
 #include "physics/motion_start.h"
 
+#include <algorithm>
+
 #include <Eigen/Geometry>
 
 #include "physics/particle_places.h"
@@ -36,6 +38,22 @@ MotionSettings withoutAttitude(MotionSettings settings) {
   for (Nudge& nudge : settings.nudges)
     if (nudge.axes == Nudge::Axes::World) nudge.value = attitude->transpose() * nudge.value;
   return settings;
+}
+
+double fastestDissipation(const MotionSettings& settings) {
+  if (!settings.simulation.dissipates()) return 0;
+  const rigid::PrincipalAxes inertia = modelInertia(settings);
+  Eigen::Vector3d moments = inertia.moments;
+  std::sort(moments.begin(), moments.end());
+  double momentum = inertia.angularMomentum(initialAngularVelocity(settings)).stableNorm();
+  for (const Nudge& nudge : settings.nudges) {
+    const bool isMomentum = nudge.kind == SpinKind::AngularMomentum;
+    momentum += (isMomentum ? 1 : moments[2]) * nudge.value.stableNorm();
+  }
+  const Eigen::Vector3d inverse = moments.cwiseInverse();
+  const double shape = std::max((inverse[0] - inverse[2]) * inverse[1] * inverse[1],
+                                (inverse[1] - inverse[2]) * inverse[0] * inverse[0]);
+  return settings.simulation.dissipation * momentum * momentum * shape;
 }
 
 NudgedRotation exactRotation(const MotionSettings& settings) {

@@ -19,6 +19,7 @@
 #include "scene/solid_numbers.h"
 #include "scene/solid_particles.h"
 #include "scene/spin_axis.h"
+#include "scene/step_limit.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -97,15 +98,6 @@ void requireShape(const MassSpringSystem& system, const Motion& motion) {
                                        ", which don't hold the shape: " + looseness(system);
   failAtParticles(motion,
                   reason + "; " + remedyFor(motion.simulation.particles.arrangement, motion));
-}
-
-/// Returns the setting with which no step is longer than `longest`, and "or "; empty if there is
-/// none. [s]
-std::string shorterSteps(const physics::SimulationSettings& simulation, double longest) {
-  if (simulation.step) return "a shorter simulation.step, or ";
-  const double enough = std::ceil(simulation.steps().time / longest);
-  if (enough > kMaxSubsteps) return "";
-  return "simulation.substeps = " + std::to_string(std::llround(enough)) + " or more, or ";
 }
 
 void requireStableStep(const Motion& motion, const MassSpringSystem& system) {

@@ -7,6 +7,7 @@
 #include "scene/placed_particles.h"
 #include "scene/solid_numbers.h"
 #include "scene/spin_axis.h"
+#include "scene/step_limit.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -49,6 +50,7 @@ void settle(Shared& shared, Motion& motion) {
   settleBody(shared, motion);
   settleParticles(shared, motion);
   settleSpin(motion);
+  requireSlowSink(motion);
 }
 
 }  // namespace rotatebook::scene

@@ -1,4 +1,5 @@
-// Limits the integration steps that a scene may take.
+#include "scene/step_limit.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -6,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/number_text.h"
+#include "physics/motion_start.h"
 #include "scene/names.h"
 #include "scene/schedule.h"
 #include "scene/sections.h"
@@ -81,6 +84,26 @@ void refuseMany(double steps, const std::string& who, const std::string& source,
 }
 
 }  // namespace
+
+std::string shorterSteps(const physics::SimulationSettings& simulation, double longest) {
+  if (simulation.step) return "a shorter simulation.step, or ";
+  const double enough = std::ceil(simulation.steps().time / longest);
+  if (enough > kMaxSubsteps) return "";
+  return "simulation.substeps = " + std::to_string(std::llround(enough)) + " or more, or ";
+}
+
+void requireSlowSink(const Motion& motion) {
+  const double rate = physics::fastestDissipation(motion);
+  const double step = motion.simulation.steps().length();
+  if (!(rate * step > 1)) return;
+  constexpr double kRounding = 0.995;  // of three digits
+  const double most = kRounding * motion.simulation.dissipation / (rate * step);
+  document::failAt(motion.locations.of({"simulation.dissipation"}),
+                   "simulation.dissipation = " + shortestText(motion.simulation.dissipation) +
+                       " takes the energy in less than a step of " + roundedText(1e3 * step, 3) +
+                       " ms; take " + shorterSteps(motion.simulation, 1 / rate) + "at most " +
+                       roundedText(most, 3));
+}
 
 void checkSteps(const Scene& scene) {
   refuseMany(stepsOf(scene), "the clip takes", sourceOfSteps(scene),

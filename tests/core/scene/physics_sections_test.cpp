@@ -192,6 +192,20 @@ TEST(SimulationSection, RefusesDissipationWhereNothingTakesIt) {
   }
 }
 
+TEST(SimulationSection, RefusesDissipationThatIsFasterThanTheSteps) {
+  EXPECT_EQ(
+      errorOf("[simulation]\ndissipation = 1\nstep = '10 ms'"),
+      "a.toml:2:15: simulation.dissipation = 1 takes the energy in less than a step of 10 ms; "
+      "take a shorter simulation.step, or at most 0.00671");
+  const std::string coarse = "[simulation]\nintegrator = 'euler'\nsubsteps = 1\ndissipation = ";
+  EXPECT_EQ(errorOf(coarse + "1"),
+            "a.toml:4:15: simulation.dissipation = 1 takes the energy in less than a step of "
+            "16.7 ms; take simulation.substeps = 248 or more, or at most 0.00402");
+  EXPECT_EQ(sceneFrom(coarse + "0.00402").motions[0].simulation.dissipation, 0.00402);
+  // A nudge may make L larger, and the decay faster.
+  EXPECT_NE(errorOf(coarse + "0.00402\n[[nudge]]\nat = 1\nangular_velocity = [0, 0, 5]"), "");
+}
+
 TEST(SimulationSection, KnowsTheModels) {
   EXPECT_EQ(sceneFrom("simulation.model = 'particles'").motions[0].simulation.model,
             Model::Particles);

@@ -13,6 +13,7 @@
 #include "base/number_text.h"
 #include "overlay/body_box.h"
 #include "overlay/drawn_overlay.h"
+#include "overlay/rounded.h"
 #include "scene/body_forces.h"
 
 namespace rotatebook::overlay {
@@ -57,15 +58,6 @@ std::vector<ForceKind> kindsIn(const scene::MotionFrame& frame) {
 BodyBox hidingNothing(double reach) {
   const physics::Cuboid tiny{Vector3d::Constant(1e-6 * reach)};
   return {tiny, tiny.corners()};
-}
-
-/// Rounds `value` > 0 down to 1, 2 or 5 times a power of ten.
-double roundedDown(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double digit : {5.0, 2.0}) {
-    if (value >= digit * power * (1 - 1e-9)) return digit * power;
-  }
-  return power;
 }
 
 /// The forces on the body's masses, for each kilogram of them, as arrows to one scale, which the

@@ -1,5 +1,3 @@
-#include "overlay/springs.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 
 #include "base/number_text.h"
 #include "overlay/drawn_overlay.h"
+#include "overlay/rounded.h"
 #include "physics/particle_places.h"
 
 namespace rotatebook::overlay {
@@ -114,18 +113,6 @@ CachedLayer legendOf(const OverlayContext& context, const Box& box, double range
   write("+" + percent, 1);
   return canvas.take();
 }
-
-}  // namespace
-
-double roundedUp(double value) {
-  const double power = std::pow(10, std::floor(std::log10(value)));
-  for (const double digit : {1.0, 2.0, 5.0}) {
-    if (value <= digit * power * (1 + 1e-9)) return digit * power;
-  }
-  return 10 * power;
-}
-
-namespace {
 
 /// The 28 springs, coloured by strain, the particles, and a legend. For eight particles only.
 class Springs final : public DrawnOverlay {

@@ -120,16 +120,23 @@ TEST(PoinsotOverlay, HasItsPlaneBehindTheBodyWhereTheBodyIsInFront) {
 }
 
 TEST(PoinsotOverlay, BeginsItsCurvesAnewAfterANudge) {
-  const auto drawn = [](const std::string& nudge) {
-    return testing::drawn(
-        starterWith("[[nudge]]\nat = " + nudge + "\nangular_velocity = [0, 0, 0.5]\n"), 60);
+  const scene::Scene scene = starterWith(
+      "[camera]\nposition = [0.6, 0.2, 0.2]\n[[nudge]]\nat = 1\n"
+      "angular_velocity = [0, 1, 1]\n");
+  const auto samples = testing::motionOf(scene).samples;
+  const Projector projector(testing::clipFromWorld(scene, 0), scene.clip.width, scene.clip.height);
+  const auto contact = [&](std::size_t n) {
+    return Eigen::Vector3d(kMetres * samples[n].angularVelocity /
+                           std::sqrt(2 * samples[n].kinetic));
   };
-  EXPECT_NE(drawn("0.5"), drawn("2.5"));
-  const scene::Scene scene = starterWith("[[nudge]]\nat = 1\nangular_velocity = [0, 2, 0]\n");
-  // At the nudge there is a contact point, but no curve yet; its first one is where it was before.
-  const Eigen::Vector3d before = kMetres * kContacts[0].place;
-  const image::Image picture = testing::drawn(scene, 51);
-  EXPECT_GT(differenceAt(picture, scene, before, kMomentumColour), 0.1);
+  const image::Image picture = testing::drawn(scene, 90);
+  EXPECT_LT(differenceAt(picture, scene, contact(90), kWhite), 0.005);
+  const auto rednessOf = [&](std::size_t n) { return rednessAt(picture, *projector(contact(n))); };
+  int before = 0, after = 255;
+  for (std::size_t n = 0; n < 50; n += 2) before = std::max(before, rednessOf(n));
+  for (std::size_t n = 52; n < 90; n += 2) after = std::min(after, rednessOf(n));
+  EXPECT_LT(before, 30);  // measured 11
+  EXPECT_GT(after, 40);   // measured 66
 }
 
 TEST(PoinsotOverlay, IsNothingOfABodyAtRest) {

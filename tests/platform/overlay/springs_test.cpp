@@ -1,8 +1,7 @@
-#include "overlay/springs.h"
-
 #include <gtest/gtest.h>
 
 #include "overlay/motion.h"
+#include "overlay/rounded.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -39,6 +38,9 @@ TEST(RoundedUp, GivesOneTwoOrFive) {
   EXPECT_DOUBLE_EQ(roundedUp(0.06), 0.1);
   EXPECT_DOUBLE_EQ(roundedUp(1), 1);
   EXPECT_DOUBLE_EQ(roundedUp(700), 1000);
+  EXPECT_DOUBLE_EQ(roundedDown(0.019), 0.01);
+  EXPECT_DOUBLE_EQ(roundedDown(0.02), 0.02);
+  EXPECT_DOUBLE_EQ(roundedDown(700), 500);
 }
 
 }  // namespace

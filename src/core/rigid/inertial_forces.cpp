@@ -6,8 +6,14 @@ namespace rotatebook::rigid {
 
 using Eigen::Vector3d;
 
-Turning freeTurning(const PrincipalAxes& inertia, const Vector3d& rate) {
-  return {rate, inertia.angularVelocity(inertia.angularMomentum(rate).cross(rate))};
+Turning freeTurning(const PrincipalAxes& inertia, const Vector3d& w, double dissipation) {
+  const Vector3d L = inertia.angularMomentum(w);
+  const Vector3d a = inertia.angularVelocity(L.cross(w));
+  if (dissipation == 0) return {w, a};
+  const Vector3d rate = w + dissipation * inertia.angularVelocity(a);
+  const Vector3d ofL = L.cross(rate), ofW = inertia.angularVelocity(ofL);
+  const Vector3d ofA = inertia.angularVelocity(ofL.cross(w) + L.cross(ofW));
+  return {rate, ofW + dissipation * inertia.angularVelocity(ofA)};
 }
 
 ForcesPerMass forcesIn(const Turning& frame, const Eigen::Matrix3d& frameFromBody,

@@ -14,9 +14,11 @@ struct Turning {
   Eigen::Vector3d acceleration{0, 0, 0};  ///< 0 if it is steady. [rad/s^2]
 };
 
-/// Returns the rotation without torque of a body with this inertia: its acceleration is
-/// I^-1 (I w x w), Euler's equation. Both along the body's axes. [rad/s]
-Turning freeTurning(const PrincipalAxes& inertia, const Eigen::Vector3d& rate);
+/// Returns the rotation without torque of a body with this inertia, whose angular momentum L is I
+/// w: its acceleration is I^-1 (L x w), Euler's equation. With a sink of energy of this rate eps it
+/// turns at O = w + eps I^-1 a instead, a = I^-1 (L x w), and L' = L x O. All along the body's
+/// axes. [rad/s], [kg m^2 s]
+Turning freeTurning(const PrincipalAxes& inertia, const Eigen::Vector3d& w, double dissipation = 0);
 
 /// The forces on a mass in a frame that turns, for each kilogram of it, along the frame's axes.
 /// Their sum is the mass's acceleration in the frame. [N/kg]

@@ -22,13 +22,16 @@ std::vector<Eigen::Vector3d> weightsOf(const Motion& motion) {
 }  // namespace
 
 BodyForces::BodyForces(const Motion& motion, const MotionFrame& frame)
-    : frame_(frame), places_(weightsOf(motion)), inertia_(physics::modelInertia(motion)) {
+    : frame_(frame),
+      places_(weightsOf(motion)),
+      inertia_(physics::modelInertia(motion)),
+      dissipation_(motion.simulation.dissipates() ? motion.simulation.dissipation : 0) {
   if (places_.empty()) places_ = physics::equimomentalPlaces(inertia_, motion.body.mass);
 }
 
 std::vector<rigid::ForcesPerMass> BodyForces::at(const physics::Sample& seen) const {
   const rigid::Turning body =
-      rigid::freeTurning(inertia_, seen.attitude.conjugate() * seen.angularVelocity);
+      rigid::freeTurning(inertia_, seen.attitude.conjugate() * seen.angularVelocity, dissipation_);
   const rigid::Turning frame = frame_.turningAt(body);
   const Eigen::Matrix3d frameFromBody = seen.attitude.toRotationMatrix();
   std::vector<rigid::ForcesPerMass> forces;

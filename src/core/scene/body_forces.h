@@ -23,6 +23,7 @@ class BodyForces {
   MotionFrame frame_;
   std::vector<Eigen::Vector3d> places_;
   rigid::PrincipalAxes inertia_;
+  double dissipation_;  // [kg m^2 s]
 };
 
 }  // namespace rotatebook::scene

@@ -15,6 +15,7 @@ namespace rotatebook::scene {
 namespace {
 
 constexpr int kTimeDigits = 4;
+constexpr int kBurstParts = 32;  // of the time between samples
 
 [[noreturn]] void refuseEvent(const Moment& moment, const std::string& has) {
   throw InputError(has + ", so there is no \"" + eventText(moment) + "\"");
@@ -55,7 +56,8 @@ bool MotionEvents::advance() {
   } catch (const physics::StepError&) {  // It is reported where the motion is shown.
   }
   isDone_ = !next;
-  if (!next) return false;
+  if (isDone_) burst_ = time;
+  if (isDone_) return false;
   if (next->halfTurns > last_.halfTurns)
     flips_.resize(static_cast<std::size_t>(next->halfTurns), halfTurnTime(last_, *next));
   last_ = *next;
@@ -79,9 +81,23 @@ double MotionEvents::nudge(const Moment& moment) const {
   refuseEvent(moment, "the motion has " + countText(std::ssize(motion_.nudges), "nudge"));
 }
 
+/// Returns the time of a burst between two samples, to a kBurstParts-th of the time between them.
+double MotionEvents::foundFiner(double after, double until) const {
+  physics::Simulation again(motion_.motion(), physics::Compared::No);
+  try {
+    for (int part = 1; part < kBurstParts; ++part) {
+      const double time = after + (until - after) * part / kBurstParts;
+      if (!again.sampleOnce(time)) return time;
+    }
+  } catch (const physics::StepError&) {
+    // A step that can't be made has no time of its own.
+  }
+  return until;
+}
+
 double MotionEvents::burst() {
   while (advance()) continue;
-  if (const auto at = simulation_->trajectory().divergedAt) return *at;
+  if (burst_) return foundFiner(last_.time, *burst_);
   refuseEvent({.event = Event::Burst}, lastingText() + "doesn't diverge");
 }
 

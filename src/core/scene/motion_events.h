@@ -23,6 +23,7 @@ class MotionEvents {
 
  private:
   bool advance();
+  double foundFiner(double after, double until) const;
   std::string lastingText() const;
   double flip(const Moment& moment);
   double nudge(const Moment& moment) const;
@@ -33,7 +34,8 @@ class MotionEvents {
   std::optional<physics::Simulation> simulation_;
   std::int64_t samples_ = 1;
   physics::Sample last_;
-  std::vector<double> flips_;  // [s]
+  std::vector<double> flips_;    // [s]
+  std::optional<double> burst_;  // [s]
   bool isDone_ = false;
 };
 

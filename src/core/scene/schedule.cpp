@@ -152,6 +152,7 @@ class Scheduler {
   explicit Scheduler(Scene& scene) : scene_(scene) {}
 
   void run() {
+    refuseUnseenEnds();
     findTimes();
     const double end = endOfMotion();
     for (ShownCue& shown : scene_.shownCues) {
@@ -249,6 +250,17 @@ class Scheduler {
     for (const Cue& cue : scene_.cues) held += cue.at.event == Event::End ? cue.hold : 0;
     const PlaybackSpeed speeds = walked(holds(false)).speeds();
     return speeds.timeAt(std::max(scene_.clip.duration - held, 0.0));
+  }
+
+  /// A cue at the clip's end has no time of its own but that for which it holds it.
+  void refuseUnseenEnds() const {
+    for (std::size_t i = 0; i < scene_.cues.size(); ++i) {
+      const Cue& cue = scene_.cues[i];
+      if (cue.at.event != Event::End || cue.at.offset < 0 || cue.hold > 0) continue;
+      document::failAt(locationOf(scene_, cueKey(i)),
+                       "nothing is seen of a cue at the clip's end; give it a hold, such as hold = "
+                       "\"3 s\", or take at = \"3 s before end\"");
+    }
   }
 
   void refuseEarly() const {

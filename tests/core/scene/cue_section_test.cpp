@@ -44,7 +44,7 @@ TEST(Cues, ArePrintedSoThatTheyAreReadAgain) {
       "[initial]\nangular_velocity = [0, 0, 6]\n[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = "
       "'two of them'\n[[panel.nudge]]\nat = 3\nangular_velocity = [0, 0, 1]\n"
       "[[cue]]\nat = '1e-7 s after nudge 1 of two of them'\ntext = ''\nhold = '1.5 s'\n"
-      "[[cue]]\nat = 'end'\nchapter = 'The \"end\"'\n";
+      "[[cue]]\nat = 'end'\nhold = 2\nchapter = 'The \"end\"'\n";
   const Scene scene = parseScene(text, "a.toml");
   ASSERT_EQ(scene.cues.size(), 2U);
   EXPECT_EQ(scene.cues[0].at, (Moment{Event::Nudge, 1, 1e-7, "two of them"}));

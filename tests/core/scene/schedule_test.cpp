@@ -149,6 +149,26 @@ TEST(Schedule, FindsTheBurst) {
   EXPECT_THAT(framesOf(scene), ElementsAre(5));
 }
 
+TEST(Schedule, FindsTheBurstThatNoFrameRateMoves) {
+  const auto at = [](const char* fps) {
+    const Scene scene = parseScene(
+        "[initial]\nangular_velocity = [5, 3, 1]\n[simulation]\nmodel = 'particles'\n"
+        "step = 0.001\nnormalize = false\ndamping = 0\n[clip]\nfps = " +
+            std::string(fps) + "\nduration = 10\n[[cue]]\nat = 'burst'\ntext = 'a'\n",
+        "a.toml");
+    return scene.shownCues[0].time;
+  };
+  EXPECT_NEAR(at("8"), at("240"), 0.125 / 32);  // measured 2.9e-3
+}
+
+TEST(Schedule, RefusesCuesOfTheEndThatAreNeverSeen) {
+  EXPECT_EQ(errorOfFlipping(cue("end")),
+            "a.toml:10:6: nothing is seen of a cue at the clip's end; give it a hold, such as "
+            "hold = \"3 s\", or take at = \"3 s before end\"");
+  EXPECT_THAT(errorOfFlipping(cue("1 s after end")), HasSubstr("nothing is seen"));
+  EXPECT_EQ(flipping(cue("end", "hold = 3\ntext = 'a'")).shownCues[0].frame, 113);
+}
+
 TEST(Schedule, RefusesEventsThatTheMotionLacks) {
   EXPECT_EQ(errorOfFlipping(cue("flip 4")),
             "a.toml:10:6: within 14 s the motion flips 3 times, so there is no \"flip 4\"");

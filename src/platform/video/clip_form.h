@@ -21,7 +21,7 @@ struct WrittenForm {
   int crf = 18;              ///< MP4: VideoSettings::crf
   /// MP4: VideoSettings::preset; if empty, the settings in the encoder's note aren't compared.
   std::string preset{};
-  std::vector<Chapter> chapters{};  ///< MP4: VideoSettings::chapters
+  std::vector<Chapter> chapters{};  ///< VideoSettings::chapters
 };
 
 /// The coded pictures of a file and its texts, as FFmpeg reads them.

@@ -1,6 +1,7 @@
 // Writes packets to a video file. Inside the room only.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,8 +23,8 @@ class Muxer {
   /// MachineError.
   void write(AVPacket& packet);
 
-  /// Writes the index, with an MP4's chapters, moves it to the front and closes the file. Throws
-  /// MachineError.
+  /// Writes the chapters of an MP4 or a WebM and the index, which it moves to an MP4's front, and
+  /// closes the file. Throws MachineError.
   void finish();
 
  private:
@@ -31,9 +32,11 @@ class Muxer {
 
   std::string path_;
   AVRational encoderTimeBase_;
+  VideoFormat format_;
   Handle<AVFormatContext> context_;
   std::vector<Chapter> chapters_;
   FrameRate frameRate_;
+  std::int64_t frames_ = 0;
 };
 
 }  // namespace rotatebook::video

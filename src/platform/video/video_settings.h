@@ -40,7 +40,7 @@ struct VideoSettings {
   std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
   /// Stored in the metadata of MP4 and WebM; UTF-8. rotatebook stores the resolved scene.
   std::string comment;
-  std::vector<Chapter> chapters;  ///< MP4; the first kMostChapters of them, in their order.
+  std::vector<Chapter> chapters;  ///< MP4, its first kMostChapters; WebM. In their order.
 };
 
 }  // namespace rotatebook::video

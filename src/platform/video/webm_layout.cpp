@@ -13,6 +13,7 @@
 #include <fmt/core.h>
 
 #include "base/clip_parts.h"
+#include "video/ffmpeg.h"
 #include "video/layout.h"
 
 namespace rotatebook::video {
@@ -23,7 +24,8 @@ constexpr std::string_view kCluster = "1f43b675", kBlock = "a3", kGroup = "a0", 
                            kSeekHead = "114d9b74", kSeek = "4dbb", kSeekId = "53ab",
                            kSeekAt = "53ac", kCues = "1c53bb6b", kCueTime = "b3",
                            kCuePositions = "b7", kCueAt = "f1", kCueInner = "f0", kTime = "e7",
-                           kGroupBlock = "a1", kReference = "fb";
+                           kGroupBlock = "a1", kReference = "fb", kChapters = "1043a770",
+                           kEdition = "45b9", kAtom = "b6", kDisplay = "80";
 constexpr std::uint64_t kMaxNumber = 8;  // Of a number. [bytes]
 
 /// All elements. Measured on libavformat 59.27 and 62.19, the times of pictures on 59.27.
@@ -38,8 +40,8 @@ constexpr std::array kWebmRows{
     LayoutRow{1, "4285", 1, 1, "02", "DocTypeReadVersion"},
     LayoutRow{0, kWebmSegment, 1, 1, "", "Segment"},
     LayoutRow{1, kSeekHead, 0, 1, "", "SeekHead"},
-    LayoutRow{2, kSeek, 1, 4, "", "Seek"},
-    LayoutRow{3, kSeekId, 1, 1, "1549a966/1654ae6b/1254c367/1c53bb6b", "SeekID"},
+    LayoutRow{2, kSeek, 1, 5, "", "Seek"},
+    LayoutRow{3, kSeekId, 1, 1, "1549a966/1654ae6b/1254c367/1c53bb6b/1043a770", "SeekID"},
     LayoutRow{3, kSeekAt, 1, 1, "any", "SeekPosition"},
     LayoutRow{1, "ec", 0, 1, "zero", "Void"},
     LayoutRow{1, "1549a966", 1, 1, "", "Info"},
@@ -93,6 +95,15 @@ constexpr std::array kWebmRows{
     LayoutRow{5, "ee", 1, 1, "01", "BlockAddID"},
     LayoutRow{5, "a5", 1, 1, "any", "BlockAdditional"},
     LayoutRow{3, kReference, 0, 1, "any", "ReferenceBlock"},
+    LayoutRow{1, kChapters, 0, 1, "", "Chapters"},
+    LayoutRow{2, kEdition, 1, 1, "", "EditionEntry"},
+    LayoutRow{3, kAtom, 1, kAnyNumber, "", "ChapterAtom"},
+    LayoutRow{4, "73c4", 1, 1, "any", "ChapterUID"},
+    LayoutRow{4, "91", 1, 1, "any", "ChapterTimeStart"},
+    LayoutRow{4, "92", 1, 1, "any", "ChapterTimeEnd"},
+    LayoutRow{4, kDisplay, 1, 1, "", "ChapterDisplay"},
+    LayoutRow{5, "85", 1, 1, "any", "ChapString"},
+    LayoutRow{5, "437c", 1, 1, "756e64", "ChapLanguage"},
     LayoutRow{1, kCues, 0, 1, "", "Cues"},
     LayoutRow{2, "bb", 1, kAnyNumber, "", "CuePoint"},
     LayoutRow{3, kCueTime, 1, 1, "any", "CueTime"},
@@ -267,6 +278,31 @@ bool cuesAreRight(std::istream& file, const Part& segment, const std::vector<Blo
   return areRight && count == keys.size();
 }
 
+/// Returns whether a segment that the layout fits has the clip's chapters, in their order.
+bool chaptersAreRight(std::istream& file, const Part& segment, const WrittenForm& form) {
+  std::size_t count = 0;
+  bool areRight = true;
+  const Part edition = elementIn(file, elementIn(file, segment, kChapters), kEdition);
+  forEachElement(file, edition, [&](const Part& atom) {
+    if (count++ >= form.chapters.size()) return;
+    const auto number = [&](std::string_view id) {
+      return bigEndian(contentOf(file, elementIn(file, atom, id)));
+    };
+    const auto nanoseconds = [&](std::int64_t frame) {
+      return static_cast<std::uint64_t>(av_rescale_q(
+          frame, {form.frameRate.denominator, form.frameRate.numerator}, {1, 1'000'000'000}));
+    };
+    const Chapter& chapter = form.chapters[count - 1];
+    const std::int64_t end =
+        count < form.chapters.size() ? form.chapters[count].frame : form.frames;
+    const Part name = elementIn(file, elementIn(file, atom, kDisplay), "85");
+    areRight = areRight && number("73c4") == count && number("91") == nanoseconds(chapter.frame) &&
+               number("92") == nanoseconds(end) &&
+               bytesAt(file, name.content, name.end - name.content) == chapter.name;
+  });
+  return areRight && count == form.chapters.size();
+}
+
 }  // namespace
 
 std::string webmDifference(std::istream& file, const WrittenForm& form, const Payload& payload) {
@@ -279,12 +315,14 @@ std::string webmDifference(std::istream& file, const WrittenForm& form, const Pa
   only(kAlphaMode, form.transparent ? 1 : 0);
   only(kGroup, form.transparent ? kAnyNumber : 0);
   only(kBlock, form.transparent ? 0 : kAnyNumber);
+  if (form.chapters.empty()) only(kChapters, 0);
   const std::string difference =
       differenceFrom(rows, valuesOf(form, payload), file, webmElement, PartOrder::Any);
   if (!difference.empty()) return difference;
   const Part segment = elementIn(file, Part{"", 0, 0, sizeOf(file)}, kWebmSegment);
   const std::vector<Block> blocks = blocksIn(file, segment);
   if (!blocksAreRight(blocks, form, payload)) return "Segment/Cluster has a picture that differs";
+  if (!chaptersAreRight(file, segment, form)) return "Segment/Chapters differs";
   if (!pointersAreRight(file, segment) || !cuesAreRight(file, segment, blocks))
     return "a pointer in Segment leads elsewhere";
   return "";

@@ -69,5 +69,31 @@ TEST(Mp4Chapters, HaveNamesThatTheirLengthCounts) {
   EXPECT_EQ(list.size(), 9U + 255 * (9 + 254));
 }
 
+TEST(WebmChapters, AreReadByPlayers) {
+  const auto path = testing::outputFolder() / "chapters.webm";
+  const auto plain = testing::outputFolder() / "chapterless.webm";
+  testing::writeClip(path, settingsWith({{0, "Start"}, {3, "Überschlag"}}), kChaptered,
+                     VideoFormat::WebM);
+  testing::writeClip(plain, settingsWith({}), kChaptered, VideoFormat::WebM);
+  const testing::DecodedVideo video = testing::decodeVideo(path);
+  EXPECT_THAT(video.chapters, ElementsAre("0.00 Start", "0.05 Überschlag"));  // 3/60 s
+  EXPECT_EQ(video.frames, testing::decodeVideo(plain).frames);
+}
+
+TEST(WebmChapters, AreOfTheFormThatIsWritten) {
+  const auto path = testing::outputFolder() / "formed.webm";
+  const VideoSettings settings = settingsWith({{0, "Start"}, {3, "Flip"}});
+  testing::writeClip(path, settings, kChaptered, VideoFormat::WebM);
+  EXPECT_EQ(differenceFrom(path, settings), "");
+  for (const std::vector<Chapter>& other : {std::vector<Chapter>{{0, "Start"}, {3, "Flop"}},
+                                            {{0, "Start"}, {4, "Flip"}},
+                                            {{0, "Start"}},
+                                            {{0, "Start"}, {3, "Flip"}, {4, "Flip"}}})
+    EXPECT_EQ(differenceFrom(path, settingsWith(other)), "Segment/Chapters differs");
+  EXPECT_EQ(differenceFrom(path, settingsWith({})), "Segment holds one Chapters too many");
+  testing::writeClip(path, settingsWith({}), kChaptered, VideoFormat::WebM);
+  EXPECT_EQ(differenceFrom(path, settings), "Segment/Chapters differs");
+}
+
 }  // namespace
 }  // namespace rotatebook::video

@@ -42,8 +42,9 @@ inline image::Image barPicture(int n) {
 }
 
 /// Writes `count` pictures (at most 24) and finishes.
-inline void writeClip(const std::filesystem::path& path, const VideoSettings& settings, int count) {
-  VideoWriter writer(VideoFormat::Mp4, path, settings);
+inline void writeClip(const std::filesystem::path& path, const VideoSettings& settings, int count,
+                      VideoFormat format = VideoFormat::Mp4) {
+  VideoWriter writer(format, path, settings);
   for (int n = 0; n < count; ++n) writer.write(barPicture(n).view());
   writer.finish();
 }

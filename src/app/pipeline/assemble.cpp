@@ -55,12 +55,15 @@ std::int64_t wholeFrameCount(const scene::Scene& scene) {
   return isRecorded ? scene.clip.frameCount() : timeline::simulateScene(scene).frameCount();
 }
 
-/// Throws InputError if the scene's chapters begin at events of a motion that isn't here.
-void requireSchedule(const scene::Scene& scene) {
-  if (scene.cues.size() == scene.shownCues.size()) return;
-  throw InputError(scene.name +
-                   ": its cues name events of a recorded motion, whose file isn't among the "
-                   "frames; rotatebook render makes the video");
+/// Throws InputError if the scene has chapters, and events of a motion that isn't here.
+void requireChapters(const scene::Scene& scene) {
+  const auto hasOne = [](const scene::Cue& cue) { return !cue.chapter.empty(); };
+  if (scene.cues.size() == scene.shownCues.size() || std::ranges::none_of(scene.cues, hasOne))
+    return;
+  throw InputError(
+      scene.name +
+      ": its cues name events of a recorded motion, whose file isn't among the frames, so its "
+      "chapters can't be found; rotatebook render makes the video");
 }
 
 /// The settings and the frames of the video.
@@ -80,7 +83,7 @@ Source sourceFor(const fs::path& folder, store::FrameRange range,
     const scene::Scene scene = scene::parseScene(text, sceneCopy);
     const std::string record = store::recordOfVideo(text, video::ffmpegVersion());
     const Assembled made{range, wholeFrameCount(scene)};
-    requireSchedule(scene);
+    requireChapters(scene);
     return {store::videoSettings(scene, made.isPart() ? store::recordOfPart(record, range) : record,
                                  !made.isPart()),
             made};

@@ -105,6 +105,21 @@ TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
   EXPECT_EQ(assembled(), kFrames - 1);
 }
 
+// Of events that aren't here, a video needs those of its chapters alone.
+TEST_F(Assemble, NeedsARecordingForChaptersAlone) {
+  writeFrames(frames_, {0, 1, 2});
+  const auto write = [&](const std::string& more) {
+    std::ofstream(frames_ / "scene.toml")
+        << "[simulation]\nmodel = 'recorded'\nfile = 'gone.csv'\n[clip]\nfps = 30\n"
+           "duration = 0.1\nsize = [32, 16]\n[[cue]]\nat = 'flip 1'\ntext = 'Now'\n"
+        << more;
+  };
+  write("chapter = 'Over'\n");
+  EXPECT_THAT(inputError(), HasSubstr("so its chapters can't be found"));
+  write("");
+  EXPECT_EQ(assembled(), 3);
+}
+
 TEST_F(Assemble, SaysWhyAFrameCannotBeRead) {
   testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   const fs::path frame = frames_ / store::frameName(5);

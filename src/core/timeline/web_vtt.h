@@ -19,7 +19,7 @@ std::string eventText(const ClipEvent& event, const scene::Words& words);
 
 /// Returns the scene's captions and a clip's events as WebVTT, by the time of its video. Of scenes
 /// with cues each caption stays until the next; each event until shortly before the next, for 3 s
-/// at most, and for 0.8 s at least.
+/// at most, and for 0.8 s at least, also where the video ends before.
 std::string webVtt(const scene::Scene& scene, const std::vector<ClipEvent>& events,
                    std::int64_t frames);
 

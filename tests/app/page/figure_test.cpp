@@ -64,7 +64,7 @@ TEST(ClipFigure, TellsWhatHappensInCaptionsAndInAList) {
   EXPECT_THAT(
       readFigure(smallScene(), folder).section.text,
       AllOf(HasSubstr("src=\"data:text/"
-                      "vtt;charset=utf-8,WEBVTT%20rotatebook%0A%0A00%3A00%3A00.000%20--%3E"),
+                      "vtt;charset=utf-8,WEBVTT%20rotatebook%0A%0A00%3A00%3A00.458%20--%3E"),
             HasSubstr("<button type=\"button\" data-frame=\"11\">0.46 s: no flip<")));
 }
 

@@ -288,7 +288,7 @@ class Player {
   bookRadius(place) { return this.drawing.bookRadius(place); }
 
   showHand(from, to) {
-    this.hand = from && [from, to];
+    this.flick = from && [from, to];
     this.redraw();
   }
 

@@ -1,6 +1,7 @@
 // Saves what is played as a clip: each frame of the scene's own clock, however long that takes, with its record.
 
 const kClipName = "live-book";
+const kNoHand = {held: null, seen: (book, sample) => sample};  // Nobody holds a book in a clip.
 const kLargestClip = [1920, 1080];  // [pixels]
 
 /** Lets the page draw and answer, in a tab that is hidden, too, whose timers are slow. */
@@ -116,7 +117,7 @@ class ClipSaver {
     if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
     const whole = core.sceneText(kProof), scene = new LiveScene(tree, core.treeOf(whole), text, core.words);
     return {size, ghosts, text: whole, title: scene.explicit.title ?? "", rate: read.rate, frames: core.frames(kProof), motion: core.checksum(kProof),
-      version: core.words.version, state: {clock: {isPlaying: false}, scene, read, orbit, book, hand: null, scales: scalesAtStart(core, kProof, read.motions),
+      version: core.words.version, state: {clock: {isPlaying: false, rate: read.rate[0] / read.rate[1]}, scene, read, orbit, book, hand: kNoHand, scales: scalesAtStart(core, kProof, read.motions),
         simulation: {ghostFrames: ghosts[0]?.length ?? 0}}};
   }
 }

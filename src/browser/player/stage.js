@@ -51,7 +51,7 @@ class Stage {
     this.took = 0;
   }
 
-  /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, hand, scales}. */
+  /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, flick, scales}. */
   draw(frame, state) {
     this.isMoving = state.clock.isPlaying;
     this.#fit(this.picture, this.scale);
@@ -106,7 +106,7 @@ class Stage {
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
       overlay.vectors(book.sample, motion, state.scales[i], shown);
-      if (state.hand) overlay.hand(state.hand[0].map((part) => part * unit), state.hand[1].map((part) => part * unit));
+      if (state.flick) overlay.hand(...state.flick.map((place) => place.map((part) => part * unit)));
       context.restore();
     });
   }

@@ -4,7 +4,6 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "system/read_file.h"
 
 namespace rotatebook::picture {
 
@@ -40,11 +39,6 @@ fs::path pathOfNamedFile(const fs::path& folder, const fs::path& file, bool allo
   if (std::ranges::mismatch(within, real).in1 == within.end()) return path;
   throw InputError("can't read " + path.string() +
                    ": it leads outside the scene's folder, which --allow-outside allows");
-}
-
-std::string readNamedFile(const fs::path& folder, const fs::path& file, std::size_t most,
-                          bool allowOutside) {
-  return system::readInput(pathOfNamedFile(folder, file, allowOutside), most);
 }
 
 }  // namespace rotatebook::picture

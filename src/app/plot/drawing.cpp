@@ -165,14 +165,6 @@ std::string Drawing::file(std::string_view ending, double scale) const {
   return format->bytesOf(*this, surface_, scale);
 }
 
-std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem) {
-  std::vector<std::filesystem::path> files;
-  for (const FormatRow& format : kFormats) {
-    files.push_back(stem.string() + std::string(format.ending));
-  }
-  return files;
-}
-
 std::vector<PlotFile> filesOf(const Drawing& drawing,
                               const std::vector<std::filesystem::path>& files, double scale) {
   std::vector<PlotFile> plotted;

@@ -74,7 +74,7 @@ class Drawing {
   std::vector<Written> texts_;
 };
 
-/// Returns a plot in each format, for its plotFiles(). Throws MachineError.
+/// Returns a plot in the formats that the files end in: .png, .svg or .pdf. Throws MachineError.
 std::vector<PlotFile> filesOf(const Drawing& drawing,
                               const std::vector<std::filesystem::path>& files, double scale = 1);
 

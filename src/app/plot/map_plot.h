@@ -26,7 +26,7 @@ Drawing drawMap(const study::MapResult& result, const scene::Scene& scene, int l
 /// Returns that drawing's pixels.
 image::Image mapPicture(const study::MapResult& result, const scene::Scene& scene,
                         int leastWidth = 0);
-/// Returns that drawing in each format, for its plotFiles().
+/// Returns that drawing in the formats that the files end in.
 std::vector<PlotFile> mapPlot(const study::MapResult& result, const scene::Scene& scene,
                               const std::vector<std::filesystem::path>& files);
 

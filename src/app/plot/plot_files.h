@@ -1,9 +1,8 @@
-// A plot's files.
+// A plot's file.
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
 namespace rotatebook::plot {
 
@@ -12,8 +11,5 @@ struct PlotFile {
   std::filesystem::path path;
   std::string bytes;
 };
-
-/// Returns the paths of a plot's files: `stem` with the ending of each format, PNG first.
-std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem);
 
 }  // namespace rotatebook::plot

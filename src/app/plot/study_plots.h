@@ -17,7 +17,7 @@ struct Plot;
 /// rather than after.
 void requireStudyLetters(const scene::Scene& scene);
 
-/// Draws the results of the study of `scene` in each format, for its plotFiles().
+/// Draws the results of the study of `scene` in the formats that the files end in.
 std::vector<PlotFile> studyPlot(const study::Study& result, const scene::Scene& scene,
                                 const std::vector<std::filesystem::path>& files);
 

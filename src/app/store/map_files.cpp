@@ -1,16 +1,16 @@
 #include "store/map_files.h"
 
-#include "plot/plot_files.h"
+#include "store/study_files.h"
 #include "study/map_files.h"
 #include "system/read_file.h"
 
 namespace rotatebook::store {
 
 MapFiles mapFiles(const std::filesystem::path& folder, const std::string& name) {
-  return {plot::plotFiles(folder / name), folder / (name + ".plain.png"),
-          folder / (name + ".npy"),       folder / (name + ".json"),
-          folder / (name + ".csv"),       folder / (name + kTilesEnding),
-          folder / (name + ".film.mp4"),  folder / (name + ".film" + kTilesEnding)};
+  return {plotFiles(folder / name),      folder / (name + ".plain.png"),
+          folder / (name + ".npy"),      folder / (name + ".json"),
+          folder / (name + ".csv"),      folder / (name + kTilesEnding),
+          folder / (name + ".film.mp4"), folder / (name + ".film" + kTilesEnding)};
 }
 
 std::vector<std::filesystem::path> allOf(const MapFiles& files) {

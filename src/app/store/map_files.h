@@ -12,7 +12,7 @@ inline constexpr const char* kTilesEnding = ".tiles";
 
 /// Paths of a map's outputs, all in one folder.
 struct MapFiles {
-  /// NAME.png and other formats, plot::plotFiles(), with axes and legend
+  /// NAME.png and other formats, plotFiles(), with axes and legend
   std::vector<std::filesystem::path> plots;
   std::filesystem::path plain;       ///< NAME.plain.png, one pixel a run
   std::filesystem::path npy;         ///< NAME.npy, the values

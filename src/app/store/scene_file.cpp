@@ -46,12 +46,16 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
                                               document::tomlString(suggestion.string())));
 }
 
+scene::ReadNamedFile readerOf(const fs::path& folder, bool allowOutside) {
+  return [folder, allowOutside](const fs::path& file, std::size_t most) {
+    return system::readInput(picture::pathOfNamedFile(folder, file, allowOutside), most);
+  };
+}
+
 }  // namespace
 
 void readMotionFiles(scene::Scene& scene) {
-  const auto readNamedFile = [&](const fs::path& file, std::size_t most) {
-    return picture::readNamedFile(scene.folder, file, most, scene.allowOutside);
-  };
+  const scene::ReadNamedFile readNamedFile = readerOf(scene.folder, scene.allowOutside);
   scene::readMotionFiles(scene, readNamedFile);
   scene::readMeshFiles(scene, readNamedFile);
 }
@@ -74,9 +78,7 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
     document::failAt(path.string(), fmt::format("the scene's name {} {}; rename the file",
                                                 document::tomlString(name), problem));
   }
-  const auto readNamedFile = [&](const fs::path& file, std::size_t most) {
-    return picture::readNamedFile(path.parent_path(), file, most, allowOutside);
-  };
+  const scene::ReadNamedFile readNamedFile = readerOf(path.parent_path(), allowOutside);
   scene::Scene scene = scene::parseScene(readSceneText(path), path, overrides, readNamedFile);
   scene.allowOutside = allowOutside;
   scene::readMeshFiles(scene, readNamedFile);

@@ -1,15 +1,18 @@
 #include "store/study_files.h"
 
 #include "base/error.h"
-#include "plot/plot_files.h"
 #include "system/atomic_file.h"
 #include "system/removal.h"
 
 namespace rotatebook::store {
 
+std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem) {
+  return {stem.string() + ".png", stem.string() + ".svg", stem.string() + ".pdf"};
+}
+
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name) {
   const std::string stem = name + "-study";
-  return {folder / (stem + ".csv"), plot::plotFiles(folder / stem), folder / (stem + ".json")};
+  return {folder / (stem + ".csv"), plotFiles(folder / stem), folder / (stem + ".json")};
 }
 
 std::vector<std::filesystem::path> allOf(const StudyFiles& files) {

@@ -10,9 +10,12 @@ namespace rotatebook::store {
 /// Paths of a study's outputs, all in one folder.
 struct StudyFiles {
   std::filesystem::path csv;                 ///< NAME-study.csv
-  std::vector<std::filesystem::path> plots;  ///< NAME-study.png and others, plot::plotFiles()
+  std::vector<std::filesystem::path> plots;  ///< NAME-study.png and others, plotFiles()
   std::filesystem::path json;                ///< NAME-study.json
 };
+
+/// Returns the paths of a plot's files: `stem` with the ending of each format, PNG first.
+std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem);
 
 /// Returns the paths of the study `name` in `folder`.
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name);

@@ -62,7 +62,8 @@ TEST(Drawing, NamesALetterThatTheFontLacks) {
 }
 
 TEST(PlotFiles, AreOfEachFormat) {
-  const std::vector<PlotFile> files = filesOf(sheet(), plotFiles("plots/it's \"a\""), 2);
+  const std::vector<PlotFile> files =
+      filesOf(sheet(), {"plots/it's \"a\".png", "plots/it's \"a\".svg", "plots/it's \"a\".pdf"}, 2);
   ASSERT_EQ(files.size(), 3U);
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(files[0].bytes.data());
   EXPECT_EQ(image::decodePng({bytes, files[0].bytes.size()}, "a plot"), sheet().pixels(2));

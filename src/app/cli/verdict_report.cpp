@@ -10,6 +10,7 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "timeline/judge.h"
 #include "timeline/motion_summary.h"
 
 namespace rotatebook::cli {

@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "recording/column_name.h"
 #include "recording/column_spellings.h"
-#include "recording/sensor_rows.h"
+#include "recording/gaps.h"
 #include "recording/unit_tables.h"
 #include "recording/words.h"
 

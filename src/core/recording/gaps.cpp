@@ -6,7 +6,6 @@
 
 #include "base/number_text.h"
 #include "recording/inertial_recording.h"
-#include "recording/sensor_rows.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -42,6 +41,14 @@ std::string degreesText(double angle) {
 }
 
 }  // namespace
+
+double medianStep(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
 
 std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegrated) {
   if (rates.size() < 3) return "";

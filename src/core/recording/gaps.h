@@ -1,4 +1,4 @@
-// Gaps in recordings. Inside the room only.
+// Steps and gaps between readings. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,9 @@
 #include "recording/gyroscope.h"
 
 namespace rotatebook::recording {
+
+/// Returns the median of the steps between at least two times. [s]
+double medianStep(const std::vector<double>& times);
 
 /// Returns a sentence on the gaps between readings, from four usual steps on: how many there are,
 /// the longest, and, if the rates `areIntegrated`, by how much the attitude after them may be off;

@@ -11,6 +11,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "recording/column_units.h"
+#include "recording/gaps.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -111,14 +112,6 @@ double timeAt(const CsvTable& table, const Columns& columns, std::size_t row, do
 }
 
 }  // namespace
-
-double medianStep(const std::vector<double>& times) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  return *middle;
-}
 
 SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsForce) {
   Indices motion{columns.time}, force{columns.time};

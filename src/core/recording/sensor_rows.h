@@ -41,7 +41,4 @@ std::vector<double> timesOf(const CsvTable& table, const Columns& columns,
 void requirePlausibleTurns(const CsvTable& table, const Columns& columns,
                            const std::vector<Rate>& rates);
 
-/// Returns the median of the steps between at least two times. [s]
-double medianStep(const std::vector<double>& times);
-
 }  // namespace rotatebook::recording

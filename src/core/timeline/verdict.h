@@ -6,8 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "physics/motion_settings.h"
-#include "physics/trajectory.h"
 #include "recording/recorded_motion.h"
 #include "rigid/regime.h"
 
@@ -75,13 +73,6 @@ struct Verdict {
   recording::SpinFacts spins{};  ///< Of a recording; of other motions, the spins are given.
   Errs errs = Errs::Hardly;
 };
-
-/// Judges `trajectory`, which was simulated or recorded from `motion`. Of recordings whose spins
-/// are uncertain, slopes of attitudes or noisy, the start of the exact motion is fitted within that
-/// uncertainty, too; regimes and half-turns that are due come from fits and means then. A recording
-/// is judged without its flaws, if it has any, and one that doesn't agree by its attitudes alone if
-/// its rates aren't their slopes. Throws InputError as physics::simulate() does.
-Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& trajectory);
 
 /// Returns whether the motion agrees with the exact one, by all that is recorded.
 bool agreesWithExact(const Verdict& verdict);

@@ -16,7 +16,7 @@
 #include "physics/simulate.h"
 #include "recording/gyroscope.h"
 #include "recording/read_recording.h"
-#include "timeline/verdict.h"
+#include "timeline/judge.h"
 
 namespace rotatebook::timeline {
 

@@ -1,11 +1,10 @@
-#include "timeline/verdict.h"
-
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "physics/simulate.h"
 #include "scene/shipped_scene.h"
+#include "timeline/judge.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::timeline {

@@ -1,10 +1,7 @@
 #include "bridge/bridge.h"
 
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,49 +11,24 @@
 #include <gtest/gtest.h>
 
 #include "base/document/toml_json.h"
-#include "geometry/camera.h"
+#include "bridge/bridge_slots.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
-#include "timeline/scene_camera.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::bridge {
 namespace {
 
+using testing::giveFile;
 using ::testing::HasSubstr;
-
-constexpr std::string_view kScene =
-    "title = \"A throw\"\n"
-    "[initial]\nangular_velocity = [5.0, 0.0, 0.0]\ntilt = [\"1 deg\", \"z\"]\n"
-    "[clip]\nduration = 2.0\n"
-    "[[nudge]]\nat = 0.5\nangular_velocity = [0.0, 0.2, 0.0]\n";
-constexpr int kFrames = 120;
-constexpr std::int32_t kAll = 1'000'000'000;
-
-std::int32_t put(std::string_view text) {
-  std::memcpy(rb_buffer(), text.data(), text.size());
-  return static_cast<std::int32_t>(text.size());
-}
-
-std::string taken(std::int32_t length) {
-  return {rb_buffer(), static_cast<std::size_t>(std::abs(length))};
-}
-
-void read(std::int32_t slot, std::string_view text) {
-  const std::int32_t length = rb_read(slot, put(text));
-  ASSERT_GT(length, 0) << taken(length);
-}
-
-/// Reads a scene into a slot that holds other motions.
-void readAnew(std::int32_t slot, std::string_view text) {
-  read(slot, "[initial]\nangular_velocity = [0.0, 0.0, 1.0]\n[clip]\nduration = 0.1\n");
-  read(slot, text);
-}
-
-std::string with(std::string_view text, std::string_view part, std::string_view other) {
-  std::string changed(text);
-  return changed.replace(changed.find(part), part.size(), other);
-}
+using testing::kAll;
+using testing::kFrames;
+using testing::kScene;
+using testing::put;
+using testing::read;
+using testing::readAnew;
+using testing::taken;
+using testing::with;
 
 std::string wholeChecksum(std::string_view text) {
   return timeline::motionChecksum(timeline::simulateScene(scene::parseScene(text, "scene.toml")));
@@ -70,12 +42,6 @@ TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
   EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(kScene));
   // Another nudge is another motion.
   EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(with(kScene, "0.2", "0.3")));
-}
-
-void giveFile(std::string_view name, std::string_view bytes) {
-  put(std::string(name) + std::string(bytes));
-  ASSERT_EQ(
-      rb_file(static_cast<std::int32_t>(name.size()), static_cast<std::int32_t>(bytes.size())), 0);
 }
 
 TEST(Bridge, ReadsRecordingsThatItWasGiven) {
@@ -240,28 +206,6 @@ TEST(Bridge, AnswersWhatIsntThere) {
   EXPECT_EQ(rb_mesh_indices(-1, &count), nullptr);
 }
 
-TEST(Bridge, HasNoCameraOfWhatIsntThere) {
-  readAnew(0, std::string(kScene) + "[camera]\nfollow = \"size\"\n");
-  rb_advance(0, kAll, kAll);
-  const std::array<double, 2> straight{0, 0};
-  std::array<float, 16> matrix{};
-  std::array<float, 3> eye{};
-  const auto camera = [&](std::int32_t slot, std::int32_t motion, std::int32_t frame, float width) {
-    return rb_camera(slot, motion, frame, width, 90, straight.data(), 1, matrix.data(), eye.data());
-  };
-  EXPECT_EQ(camera(-1, 0, 0, 160), 0);
-  EXPECT_EQ(camera(0, 1, 0, 160), 0);
-  EXPECT_EQ(camera(0, -1, 0, 160), 0);
-  EXPECT_EQ(eye[2], 0) << "nothing is written";
-  for (const std::int32_t frame : {-5, kFrames, 1'000'000'000}) {
-    EXPECT_EQ(camera(0, 0, frame, 160), 1);
-    EXPECT_GT(eye[2], 0);
-  }
-  for (const float width : {0.0f, -1e30f, 1e30f, std::nanf("")}) {
-    EXPECT_EQ(camera(0, 0, 0, width), 1) << width;
-  }
-}
-
 TEST(Bridge, KeepsItsSlotsApart) {
   read(0, kScene);
   rb_advance(0, kAll, kAll);
@@ -354,81 +298,6 @@ TEST(Bridge, GivesTheNumbersOfASample) {
   EXPECT_EQ(numbers[kError], sample.errorDeg);
   EXPECT_EQ(numbers[kHeld], 0);
   EXPECT_EQ(numbers[kCorners + 3 * 5 + 1], sample.cage(1, 5));
-}
-
-// Where the program's picture of a corner is, but with y up.
-TEST(Bridge, HasTheProgramsCamera) {
-  read(0, kScene);
-  const std::array<double, 2> straight{0, 0}, turned{0.3, 0};
-  std::array<float, 16> matrix{};
-  std::array<float, 3> eye{};
-  rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data());
-  const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
-  const geometry::Screen screen{1280, 720, 0};
-  const physics::Cage cage = scene.motions[0].body.corners();
-  const auto projection = geometry::project(timeline::cameraOf(scene, screen), cage, screen);
-  constexpr double kBound = 1e-6;  // measured 6e-8
-  const auto difference = [&] {
-    const Eigen::Matrix4d clipFromWorld = Eigen::Map<Eigen::Matrix4f>(matrix.data()).cast<double>();
-    const Eigen::Vector4d here = clipFromWorld * cage.col(6).homogeneous();
-    const Eigen::Vector4d there = projection.clipFromWorld * cage.col(6).homogeneous();
-    return (Eigen::Vector2d(here.x(), -here.y()) / here.w() - there.head<2>() / there.w()).norm();
-  };
-  EXPECT_LT(difference(), kBound);
-  EXPECT_NEAR(eye[2], scene.cameraPosition.z(), kBound);
-  rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data());
-  EXPECT_GT(difference(), 0.01) << "of a camera that is turned";
-}
-
-TEST(Bridge, HasTheBooksMesh) {
-  std::int32_t count = 0;
-  const float* vertices = rb_mesh_vertices(&count);
-  EXPECT_GT(count, 1000);
-  for (std::int32_t i = 0; i < count; ++i) {
-    EXPECT_GE(vertices[10 * i], 0) << "position in the unit cube";
-    EXPECT_LE(vertices[10 * i], 1);
-    EXPECT_GE(vertices[10 * i + 9], 1) << "number of a surface";
-  }
-  for (std::int32_t part = 0; part < 5; ++part) {
-    std::int32_t indexCount = 0;
-    const std::uint16_t* indices = rb_mesh_indices(part, &indexCount);
-    EXPECT_GT(indexCount, 0);
-    EXPECT_EQ(indexCount % 3, 0);
-    for (std::int32_t i = 0; i < indexCount; ++i) EXPECT_LT(indices[i], count);
-  }
-}
-
-TEST(Bridge, HasTheMeshesOfOtherBodies) {
-  read(0, kScene);
-  EXPECT_EQ(taken(rb_body(0, 0)), "null") << "the book";
-  EXPECT_LT(rb_body(0, 1), 0) << "no such motion";
-  read(0, "[body]\nshape = \"t-handle\"\n[initial]\nangular_velocity = [4, 0, 0]\n");
-  const std::string json = taken(rb_body(0, 0));
-  EXPECT_THAT(json, HasSubstr("\"parts\": [{\"first\": 0, "));
-  const std::size_t vertices = std::stoul(json.substr(json.find(':') + 1));
-  EXPECT_GT(vertices, 1000U);
-  for (std::size_t i = 0; i < vertices; ++i) {
-    EXPECT_GE(rb_body_vertices()[10 * i], -1e-6) << "position in the unit cube";
-    EXPECT_LE(rb_body_vertices()[10 * i], 1 + 1e-6);
-  }
-  for (std::size_t i = 0; i < 300; ++i) EXPECT_LT(rb_body_indices()[i], vertices);
-}
-
-TEST(Bridge, ReadsMeshesThatItWasGiven) {
-  constexpr std::string_view kName = "a.obj";
-  constexpr std::string_view kTetrahedron =
-      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-  constexpr std::string_view kBody =
-      "[body]\nmesh = \"a.obj\"\ndensity = 1\n[initial]\nangular_velocity = [4, 0, 0]\n";
-  EXPECT_LT(rb_read(0, put(kBody)), 0);
-  giveFile(kName, kTetrahedron);
-  read(0, kBody);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\": 12, \"indices\": 12"));
-  // Of a record, which has the numbers alone, a box is drawn
-  const std::string record = taken(rb_scene_text(0));
-  ASSERT_EQ(rb_file(0, 0), 0);
-  read(0, record);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\": 48"));
 }
 
 }  // namespace

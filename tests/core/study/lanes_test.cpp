@@ -3,8 +3,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <iostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -51,9 +53,8 @@ struct Comparison {
   std::size_t different = 0, notFinite = 0;
 };
 
-Comparison compare(const std::vector<MotionSettings>& motions, std::int64_t frames,
-                   InstructionSet set) {
-  const auto scalar = statesAfter(motions, frames, InstructionSet::None);
+Comparison compare(const std::vector<MotionSettings>& motions, const std::vector<BodyState>& scalar,
+                   std::int64_t frames, InstructionSet set) {
   const auto lanes = statesAfter(motions, frames, set);
   Comparison result;
   for (std::size_t i = 0; i < motions.size(); ++i) {
@@ -61,6 +62,23 @@ Comparison compare(const std::vector<MotionSettings>& motions, std::int64_t fram
     result.different += bitsOf(scalar[i]) == bitsOf(lanes[i]) ? 0 : 1;
   }
   return result;
+}
+
+/// Motions, and what the simulators make of them.
+struct Simulated {
+  std::vector<MotionSettings> motions;
+  std::vector<BodyState> states;
+
+  Simulated(std::vector<MotionSettings> settings, std::int64_t frames)
+      : motions(std::move(settings)), states(statesAfter(motions, frames, InstructionSet::None)) {}
+};
+
+/// Makes the motions of each integrator in lanes once, for all instruction sets.
+std::vector<Simulated> simulated(
+    const std::function<std::vector<MotionSettings>(Integrator)>& motions, std::int64_t frames) {
+  std::vector<Simulated> all;
+  for (const Integrator integrator : kInLanes) all.emplace_back(motions(integrator), frames);
+  return all;
 }
 
 class Lanes : public ::testing::TestWithParam<InstructionSet> {
@@ -71,20 +89,27 @@ class Lanes : public ::testing::TestWithParam<InstructionSet> {
 };
 
 TEST_P(Lanes, MakeTheStepsOfTheSimulators) {
-  for (const Integrator integrator : kInLanes) {
-    const auto motions = ordinaryMotions(3072, integrator, 1);
-    const Comparison result = compare(motions, 2000, GetParam());
-    EXPECT_EQ(result.different, 0U) << static_cast<int>(integrator);
+  constexpr std::int64_t kFrames = 2000;
+  static const auto kOrdinary =
+      simulated([](Integrator of) { return ordinaryMotions(3072, of, 1); }, kFrames);
+  for (std::size_t i = 0; i < kInLanes.size(); ++i) {
+    const auto& [motions, states] = kOrdinary[i];
+    const Comparison result = compare(motions, states, kFrames, GetParam());
+    EXPECT_EQ(result.different, 0U) << static_cast<int>(kInLanes[i]);
     EXPECT_EQ(result.notFinite, 0U);
   }
 }
 
 TEST_P(Lanes, MakeTheStepsThatBlowUpOrHaveNoSolution) {
+  constexpr std::int64_t kFrames = 300;
+  static const auto kHard =
+      simulated([](Integrator of) { return hardMotions(3072, of, 2); }, kFrames);
   std::size_t notFinite = 0;
-  for (const Integrator integrator : kInLanes) {
-    const Comparison result = compare(hardMotions(3072, integrator, 2), 300, GetParam());
-    EXPECT_EQ(result.different, 0U) << static_cast<int>(integrator);
-    std::cout << physics::kIntegratorNames.at(static_cast<std::size_t>(integrator)) << ": "
+  for (std::size_t i = 0; i < kInLanes.size(); ++i) {
+    const auto& [motions, states] = kHard[i];
+    const Comparison result = compare(motions, states, kFrames, GetParam());
+    EXPECT_EQ(result.different, 0U) << static_cast<int>(kInLanes[i]);
+    std::cout << physics::kIntegratorNames.at(static_cast<std::size_t>(kInLanes[i])) << ": "
               << result.notFinite << " not finite\n";
     notFinite += result.notFinite;
   }
@@ -97,7 +122,8 @@ TEST_P(Lanes, NormalizeAsOftenWithSubsteps) {
     motions[i].simulation.substeps = 1 + static_cast<int>(i % 3);
     motions[i].simulation.normalizeEvery = static_cast<int>(i / 3 % 6);
   }
-  EXPECT_EQ(compare(motions, 500, GetParam()).different, 0U);
+  const Simulated scalar(motions, 500);
+  EXPECT_EQ(compare(motions, scalar.states, 500, GetParam()).different, 0U);
 }
 
 // Reduces what samples at the looks say.
@@ -184,7 +210,8 @@ TEST_P(Lanes, RefuseAMotionThatThereIsnt) {
 
 TEST_P(Lanes, LeaveNoMotionOut) {
   const auto motions = ordinaryMotions(37, Integrator::Rk4, 6);
-  EXPECT_EQ(compare(motions, 50, GetParam()).different, 0U);
+  const Simulated scalar(motions, 50);
+  EXPECT_EQ(compare(motions, scalar.states, 50, GetParam()).different, 0U);
   EXPECT_TRUE(outcomesOf({}, GetParam()).empty());
 }
 

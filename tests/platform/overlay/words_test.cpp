@@ -97,9 +97,9 @@ std::vector<std::string> textsOf(const scene::Scene& scene) {
     MotionOverlays overlays = testing::overlaysOf(single, motion);
     for (std::int64_t frame = 0; frame <= kFrames; ++frame) {
       overlays.draw(frame, testing::clipFromWorld(single, overlays.bottomRows()), picture);
-      caption.draw(frame, picture);
     }
   }
+  for (std::int64_t frame = 0; frame <= kFrames; ++frame) caption.draw(frame, picture);
   if (scene.hasPanels()) {
     PanelCells cells{scene.clip.width, scene.clip.height};
     cells.corners.resize(scene.motions.size(), Point(0, 0));

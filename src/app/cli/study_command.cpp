@@ -28,6 +28,7 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "cli/study_execution.h"
+#include "plot/plot_files.h"
 #include "plot/study_plots.h"
 #include "scene/expectation_text.h"
 #include "scene/names.h"

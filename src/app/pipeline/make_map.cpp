@@ -9,6 +9,7 @@
 #include "pipeline/kept_tiles.h"
 #include "plot/map_colours.h"
 #include "plot/map_plot.h"
+#include "plot/plot_files.h"
 #include "store/fingerprint.h"
 #include "store/map_tiles.h"
 #include "store/study_files.h"

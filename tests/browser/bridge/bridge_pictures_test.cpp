@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "bridge/bridge.h"
-#include "bridge/bridge_slots.h"
+#include "browser/bridge/bridge_slots.h"
 #include "geometry/camera.h"
 #include "scene/scene_text.h"
 #include "timeline/scene_camera.h"

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/document/toml_json.h"
-#include "bridge/bridge_slots.h"
+#include "browser/bridge/bridge_slots.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"

@@ -151,7 +151,7 @@
   const isDark = () => (root.style.colorScheme || (darkSystem.matches ? "dark" : "light")) === "dark";
 
   function showTheme() {
-    theme.textContent = isDark() ? "Switch to light" : "Switch to dark";
+    theme.textContent = isDark() ? say("Switch to light") : say("Switch to dark");
     [...plots.values()].flat().forEach((plot) => plot.plot?.redraw(false, true));
   }
   theme.hidden = false;

@@ -17,7 +17,7 @@ class MovingPicture extends EventTarget {
     start.addEventListener("click", () => {
       const isMoving = start.classList.toggle("playing");
       picture.src = isMoving ? picture.dataset.moving : picture.dataset.poster;
-      start.setAttribute("aria-label", (isMoving ? "Stop " : "Play ") + picture.alt);
+      start.setAttribute("aria-label", isMoving ? say("Stop {title}", {title: picture.alt}) : say("Play {title}", {title: picture.alt}));
     });
     for (const event of section.querySelectorAll(".events button")) event.replaceWith(event.textContent);
   }
@@ -144,7 +144,7 @@ class Player extends EventTarget {
     button.hidden = !this.canFillScreen;
     button.addEventListener("click", () => this.toggleFullScreen());
     element.addEventListener("fullscreenchange", () => {
-      const words = this.fillsScreen() ? "Leave full screen" : "Full screen";
+      const words = this.fillsScreen() ? say("Leave full screen") : say("Full screen");
       button.setAttribute("aria-label", words);
       button.title = words + " (f)";
       // So that the space bar plays the clip, and doesn't press this button again.
@@ -219,11 +219,11 @@ class Player extends EventTarget {
 
   show(frame) {
     this.frame = Math.min(Math.max(frame, 0), this.frames - 1);
-    const seconds = this.times[this.frame].toFixed(2) + " s";
+    const seconds = say.number(this.times[this.frame].toFixed(2)) + " s", values = {seconds, frame: this.frame};
     const seek = this.find(".seek");
     seek.value = this.frame;
-    seek.setAttribute("aria-valuetext", "frame " + this.frame + ", " + seconds);
-    this.find(".time").textContent = seconds + " · frame " + this.frame;
+    seek.setAttribute("aria-valuetext", say("frame {frame}, {seconds}", values));
+    this.find(".time").textContent = say("{seconds} · frame {frame}", values);
     this.dispatchEvent(new Event("frame"));
   }
 
@@ -231,7 +231,7 @@ class Player extends EventTarget {
     const playing = !this.video.paused;
     const button = this.find(".play");
     button.classList.toggle("playing", playing);
-    button.setAttribute("aria-label", playing ? "Pause" : "Play");
+    button.setAttribute("aria-label", playing ? say("Pause") : say("Play"));
     if (playing) this.dispatchEvent(new Event("play"));
   }
 }

@@ -23,7 +23,7 @@ function numberText(value) {
   if (value === null || value === undefined) return "–";
   if (value === 0) return "0";
   const size = Math.abs(value);
-  return size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(4))) : value.toExponential(2).replace("+", "");
+  return say.number(size >= 1e-3 && size < 1e5 ? Number(value.toPrecision(4)) : value.toExponential(2).replace("+", ""));
 }
 
 /** The same on an axis, where there is little room. */
@@ -38,17 +38,17 @@ function chartsOf(clip) {
   const several = clip.motions.length > 1;
   const each = (key) => clip.motions.map((motion) => ({label: motion.label, values: motion[key]}));
   const only = clip.motions[0];
-  const energies = [{label: "total", values: only.total}];
-  if (only.springs) energies.push({label: "kinetic", values: only.kinetic}, {label: "springs", values: only.potential});
+  const energies = [{label: say("total"), values: only.total}];
+  if (only.springs) energies.push({label: say("kinetic"), values: only.kinetic}, {label: say("springs"), values: only.potential});
   // A rigid body's energy hardly leaves 1, and that it does is what there is to see.
   const energyRange = only.springs && !several ? {from: 0} : {from: 1, least: 0.1};
   const one = (key, label) => several ? each(key) : [{label, values: only[key]}];
   const isNoise = clip.motions.every(({error}) => error.every((value) => value !== null && value <= kLargestNoise));
   const charts = [
-    {title: several ? "Total energy as a share of the start’s" : "Energy as a share of the start’s total", series: several ? each("total") : energies, canBeLog: true, ...energyRange},
-    {title: "Tilt of the spun axis [°]", series: one("tilt", "tilt"), from: 0, to: 180},
+    {title: several ? say("Total energy as a share of the start’s") : say("Energy as a share of the start’s total"), series: several ? each("total") : energies, canBeLog: true, ...energyRange},
+    {title: say("Tilt of the spun axis [°]"), series: one("tilt", say("tilt")), from: 0, to: 180},
   ];
-  if (!isNoise) charts.push({title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true});
+  if (!isNoise) charts.push({title: say("Error against the exact motion [°]"), series: one("error", say("error")), from: 0, canBeLog: true});
   return charts;
 }
 
@@ -89,8 +89,8 @@ class Plot {
     if (!this.chart.canBeLog) return heading;
     const button = document.createElement("button");
     button.type = "button";
-    button.textContent = "log";
-    button.title = "Logarithmic axis";
+    button.textContent = say("log");
+    button.title = say("Logarithmic axis");
     button.setAttribute("aria-pressed", "false");
     button.addEventListener("click", () => {
       this.logarithmic = !this.logarithmic;
@@ -121,7 +121,7 @@ class Plot {
       const known = values.filter((value) => value !== null);
       const low = known.reduce((a, b) => Math.min(a, b), Infinity);
       const high = known.reduce((a, b) => Math.max(a, b), -Infinity);
-      return label + " from " + numberText(low) + " to " + numberText(high);
+      return say("{label} from {low} to {high}", {label, low: numberText(low), high: numberText(high)});
     });
     return this.chart.title + ": " + parts.join("; ");
   }
@@ -159,7 +159,7 @@ class Plot {
       cursor: {y: false, drag: {x: false, y: false}, points: {show: false}, sync: {key: this.player.section.id}},
       scales: {x: {time: false}, y: this.logarithmic ? {distr: 3} : linear},
       axes: [
-        {...axis(22), space: 50, values: (plot, ticks) => ticks.map((tick) => tick + " s")},
+        {...axis(22), space: 50, values: (plot, ticks) => ticks.map((tick) => say.number(tick) + " s")},
         {...axis(44), space: 28, values: (plot, ticks) => ticks.map((tick) => tickText(tick))},
       ],
       series: [{}, ...this.chart.series.map((series, index) => ({

@@ -18,6 +18,7 @@
 #include "cli/input_guard.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
+#include "page/language.h"
 #include "page/pack.h"
 #include "page/page.h"
 #include "picture/thumbnail.h"
@@ -36,7 +37,8 @@ struct PageArguments {
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
   std::string folder = "out";
-  std::string title = "The unstable rotation of a book";
+  std::string title = page::kTitle;
+  std::string language = "english";
   bool noThumbnails = false;
   std::string live;
   std::string pack;
@@ -117,11 +119,12 @@ std::string liveOf(const PageArguments& arguments) {
 }
 
 std::vector<page::Figure> readFigures(const ReadScenes& shown, const PageArguments& arguments,
-                                      bool isPacked) {
+                                      const page::Language& language, bool isPacked) {
   std::vector<page::Figure> figures;
   for (const scene::Scene& scene : shown.scenes) {
     figures.push_back(page::readFigure(
-        scene, arguments.folder, {.hasThumbnails = !arguments.noThumbnails, .isPacked = isPacked}));
+        scene, arguments.folder, {.hasThumbnails = !arguments.noThumbnails, .isPacked = isPacked},
+        language));
   }
   return figures;
 }
@@ -142,10 +145,11 @@ struct PackToWrite {
 };
 
 /// Returns it once nothing is in its way; nothing without --pack.
-std::optional<PackToWrite> packOf(const ReadScenes& shown, const PageArguments& arguments) {
+std::optional<PackToWrite> packOf(const ReadScenes& shown, const PageArguments& arguments,
+                                  const page::Language& language) {
   if (arguments.pack.empty()) return std::nullopt;
   PackToWrite all{{arguments.folder, arguments.pack, arguments.packCrf},
-                  readFigures(shown, arguments, true)};
+                  readFigures(shown, arguments, language, true)};
   store::Footprint footprint;
   for (const fs::path& file : filesOfPack(all.figures, all.pack)) footprint.addFile(file);
   refuseInputs(footprint, shown.inputs, "name another folder with --pack");
@@ -153,8 +157,7 @@ std::optional<PackToWrite> packOf(const ReadScenes& shown, const PageArguments& 
   return all;
 }
 
-void writePack(const PackToWrite& all, const PageArguments& arguments) {
-  const std::string html = page::pageText(arguments.title, all.figures, liveOf(arguments));
+void writePack(const PackToWrite& all, const std::string& html) {
   page::writePack(all.figures, html, all.pack, [](const std::string& file) {
     std::cerr << "packing " << oneLine(file) << '\n';
   });
@@ -171,20 +174,24 @@ void refuseOtherPage(const fs::path& path) {
 }
 
 int writePage(const PageArguments& arguments) {
+  const page::Language language = page::readLanguage(arguments.language);
+  const auto textOf = [&](const std::vector<page::Figure>& figures) {
+    return page::pageText(arguments.title, figures, liveOf(arguments), language);
+  };
   const ReadScenes shown = readShown(arguments);
   const auto path = fs::path(arguments.folder) / page::kPageName;
   refuseInputs(path, shown.inputs, kOtherFolder);
   refuseOtherPage(path);
-  std::vector<page::Figure> figures = readFigures(shown, arguments, false);
-  const std::optional<PackToWrite> pack = packOf(shown, arguments);
+  std::vector<page::Figure> figures = readFigures(shown, arguments, language, false);
+  const std::optional<PackToWrite> pack = packOf(shown, arguments, language);
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
-  system::writeFileAtomically(path, page::pageText(arguments.title, figures, liveOf(arguments)));
+  system::writeFileAtomically(path, textOf(figures));
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
   }
   std::cout << fmt::format("wrote {}, {}\n", oneLine(path.string()),
                            countText(std::ssize(figures), "figure"));
-  if (pack) writePack(*pack, arguments);
+  if (pack) writePack(*pack, textOf(pack->figures));
   return kDone;
 }
 
@@ -202,6 +209,9 @@ void addPageCommand(CLI::App& program, Action& action) {
             "Folder with the results of render and study; the page goes there, too")
       ->capture_default_str();
   addOption(command, "--title", "TEXT", arguments.title, "The page's heading")
+      ->capture_default_str();
+  addOption(command, "--language", "LANGUAGE|FILE", arguments.language,
+            "english, german, or the file of a list of words such as assets/words/german.toml")
       ->capture_default_str();
   addOption(command, "--live", "FILE", arguments.live,
             "The live book: a fragment of HTML that is put at the page's top as it is");

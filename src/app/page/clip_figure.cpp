@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 // Significant digits of a time.
 constexpr int kTimeDigits = 4;
 
-constexpr std::string_view kEvents = R"(<details class="events"><summary>What happens</summary>
+constexpr std::string_view kEvents =
+    R"(<details class="events"><summary>{{"What happens"}}</summary>
 <ol>{{items}}</ol></details>
 )";
 
@@ -68,13 +69,13 @@ void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
                                renderAgain(scene, poster.parent_path())));
 }
 
-Clip readClip(const scene::Scene& scene, const fs::path& folder) {
+Clip readClip(const scene::Scene& scene, const fs::path& folder, const Language& say) {
   Clip clip;
   clip.motions = scene.motions;
   clip.files = store::clipFiles(folder, scene.name);
   clip.csvs = store::csvFiles(clip.files.csv, scene);
   clip.videos = videosOf(scene, clip.files);
-  clip.result = readClipResult(clip.files.json, scene, clip.videos.motion);
+  clip.result = readClipResult(clip.files.json, scene, clip.videos.motion, say);
   clip.hasRecord = store::isRecordOfClip(scene, system::readFileOrEmpty(clip.files.sceneCopy));
   clip.hasFrames =
       clip.hasRecord && std::ssize(store::framesIn(clip.files.frameFolder)) == clip.result.frames;
@@ -89,22 +90,22 @@ std::string nameOf(const fs::path& file) {
 }
 
 /// On the web, the clip alone: it holds its scene, which makes all other files again.
-Html linksOf(const Clip& clip, const FigureFiles& files) {
+Html linksOf(const Clip& clip, const FigureFiles& files, const Language& say) {
   Html links;
   if (files.isPacked) {
     return linkItem(nameOf(clip.videos.played),
-                    clip.videos.isMovingPicture ? "Clip" : "Clip, which holds its scene");
+                    clip.videos.isMovingPicture ? say("Clip") : say("Clip, which holds its scene"));
   }
   for (std::size_t i = 0; i < clip.csvs.size(); ++i) {
-    const std::string label = clip.csvs.size() > 1 ? ": " + clip.motions[i].label : "";
+    const std::string label = clip.csvs.size() > 1 ? ": " + say(clip.motions[i].label) : "";
     links += linkItem(nameOf(clip.csvs[i]), "CSV" + label);
   }
   for (const auto& [file, name] : clip.videos.linked) links += linkItem(nameOf(file), name);
-  links += linkItem(nameOf(clip.files.json), "Result (JSON)");
-  links += linkItem(nameOf(clip.files.poster), "Poster");
+  links += linkItem(nameOf(clip.files.json), say("Result (JSON)"));
+  links += linkItem(nameOf(clip.files.poster), say("Poster"));
   const std::string folder = nameOf(clip.files.frameFolder) + "/";
-  if (clip.hasFrames) links += linkItem(folder, "PNG frames");
-  if (clip.hasRecord) links += linkItem(folder + nameOf(clip.files.sceneCopy), "Scene");
+  if (clip.hasFrames) links += linkItem(folder, say("PNG frames"));
+  if (clip.hasRecord) links += linkItem(folder + nameOf(clip.files.sceneCopy), say("Scene"));
   return links;
 }
 
@@ -115,17 +116,17 @@ std::vector<Check> allChecks(const Clip& clip) {
   return all;
 }
 
-Html tablesOf(const Clip& clip) {
+Html tablesOf(const Clip& clip, const Language& say) {
   Html tables;
   for (std::size_t i = 0; i < clip.motions.size(); ++i) {
     const std::string& name = clip.motions[i].label;
-    const std::string label = name.empty() ? "" : ": " + name;
-    tables += checksTable("Expected and measured" + label, clip.result.motions[i].checks);
+    const std::string label = name.empty() ? "" : ": " + say(name);
+    tables += checksTable(say("Expected and measured") + label, clip.result.motions[i].checks, say);
   }
   return tables;
 }
 
-Html divergenceOf(const scene::Scene& scene, const Clip& clip) {
+Html divergenceOf(const scene::Scene& scene, const Clip& clip, const Language& say) {
   const auto note = [](const std::string& text) {
     return filled("<p class=\"note\">{{text}}</p>\n", {{"text", escaped(text)}});
   };
@@ -133,13 +134,17 @@ Html divergenceOf(const scene::Scene& scene, const Clip& clip) {
   const auto diverged = std::ranges::count_if(
       results, [](const MotionResult& result) { return result.divergedAt.has_value(); });
   if (diverged == 0) return {};
-  if (scene.grid) return note(fmt::format("{} of {} motions diverge.", diverged, results.size()));
+  if (scene.grid)
+    return note(say("{some} of {all} motions diverge.",
+                    {{"some", std::to_string(diverged)}, {"all", std::to_string(results.size())}}));
   Html notes;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].divergedAt) continue;
+    const std::string time = say.numbers(roundedText(*results[i].divergedAt, kTimeDigits));
     const std::string& label = clip.motions[i].label;
-    notes += note(fmt::format("{} diverges at {} s.", label.empty() ? "The motion" : label,
-                              roundedText(*results[i].divergedAt, kTimeDigits)));
+    notes += note(label.empty() ? say("The motion diverges at {time} s.", {{"time", time}})
+                                : say("{motion} diverges at {time} s.",
+                                      {{"motion", say(label)}, {"time", time}}));
   }
   return notes;
 }
@@ -166,20 +171,20 @@ std::vector<Moment> momentsOf(const scene::Scene& scene, const ClipResult& resul
 }
 
 /// Returns the moments as a list, folded away; each is a button for its frame. Empty without any.
-Html momentList(const std::vector<Moment>& moments) {
+Html momentList(const std::vector<Moment>& moments, const Language& say) {
   if (moments.empty()) return {};
   Html items;
   for (const Moment& moment : moments) {
     items += filled(R"(<li><button type="button" data-frame="{{frame}}">{{words}}</button></li>)",
                     {{"frame", {std::to_string(moment.frame)}}, {"words", escaped(moment.words)}});
   }
-  return filled(kEvents, {{"items", items}});
+  return filled(kEvents, {{"items", items}}, say);
 }
 
 /// Returns the video with its controls; of a GIF or APNG, which browsers don't tell the frame of,
 /// the picture alone.
 Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
-              const std::string& poster) {
+              const std::string& poster, const Language& say) {
   std::map<std::string, Html> values{{"title", escaped(scene.title)},
                                      {"anchor", addressOf(scene.name)},
                                      {"width", {std::to_string(scene.clip.width)}},
@@ -187,43 +192,48 @@ Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
                                      {"poster", addressOf(poster)},
                                      {"thumbnail", addressOf(figure.thumbnail)},
                                      {"video", addressOf(figure.clip)}};
-  if (clip.videos.isMovingPicture) return filled(movingPictureTemplate(), values);
+  if (clip.videos.isMovingPicture) return filled(movingPictureTemplate(), values, say);
   values["captions"] = addressOf(webVtt(scene, clip.result.events, clip.result.frames));
   values["last"] = {std::to_string(clip.result.frames - 1)};
-  return filled(videoTemplate(), values);
+  values["language"] = escaped(say.tag);
+  return filled(videoTemplate(), values, say);
 }
 
 }  // namespace
 
-Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
-  const Clip clip = readClip(scene, folder);
+Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files,
+                  const Language& say) {
+  const Clip clip = readClip(scene, folder, say);
+  const scene::Scene told = inLanguage(scene, say);
   const std::string poster = nameOf(clip.files.poster);
   const std::string thumbnail = files.hasThumbnails ? nameOfThumbnail(scene, folder) : poster;
   const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
-  Figure figure{kind, scene.name, scene.title, files.nameOfPicture(thumbnail)};
+  Figure figure{kind, scene.name, told.title, files.nameOfPicture(thumbnail)};
   figure.clip = nameOf(clip.videos.played);
   figure.frameRate = scene.clip.frameRate;
   figure.chapters = store::chaptersOf(scene);
   figure.pictures = {poster, thumbnail};
   const std::vector<Check> checks = allChecks(clip);
-  figure.badge = unmetBadge(checks);
+  figure.badge = unmetBadge(checks, say);
   figure.leftOut = clip.videos.leftOut;
-  figure.section = filled(clipTemplate(),
-                          {{"id", escaped(scene.name)},
-                           {"anchor", addressOf(scene.name)},
-                           {"title", escaped(scene.title)},
-                           {"badge", figure.badge},
-                           {"caption", escaped(scene.caption)},
-                           {"notes", divergenceOf(scene, clip)},
-                           {"width", {std::to_string(scene.clip.width)}},
-                           {"height", {std::to_string(scene.clip.height)}},
-                           {"screen", screenOf(scene, clip, figure, files.nameOfPicture(poster))},
-                           {"events", momentList(momentsOf(scene, clip.result))},
-                           {"settings", settingsTable(clip.motions, scene.clip)},
-                           {"checks", foldedChecks(checks, tablesOf(clip))},
-                           {"links", linksOf(clip, files)},
-                           {"scene", sceneDetails(scene)},
-                           {"data", {clip.result.plots}}});
+  figure.section =
+      filled(clipTemplate(),
+             {{"id", escaped(scene.name)},
+              {"anchor", addressOf(scene.name)},
+              {"title", escaped(told.title)},
+              {"badge", figure.badge},
+              {"caption", escaped(told.caption)},
+              {"notes", divergenceOf(scene, clip, say)},
+              {"width", {std::to_string(scene.clip.width)}},
+              {"height", {std::to_string(scene.clip.height)}},
+              {"screen", screenOf(told, clip, figure, files.nameOfPicture(poster), say)},
+              {"events", momentList(momentsOf(told, clip.result), say)},
+              {"settings", settingsTable(told.motions, scene.clip, say)},
+              {"checks", foldedChecks(checks, tablesOf(clip, say), say)},
+              {"links", linksOf(clip, files, say)},
+              {"scene", sceneDetails(scene, say)},
+              {"data", {clip.result.plots}}},
+             say);
   return figure;
 }
 

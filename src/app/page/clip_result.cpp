@@ -1,5 +1,7 @@
 #include "page/clip_result.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "base/error.h"
@@ -10,18 +12,32 @@
 namespace rotatebook::page {
 namespace {
 
-timeline::ClipEvent eventIn(const Json& event) {
-  const Json& label = event.at("label");
-  return {event.at("frame").get<std::int64_t>(), event.at("time_s").get<double>(),
-          label.is_null() ? "" : label.get<std::string>(), event.at("words").get<std::string>()};
+/// Returns an event's words, a scene's word and perhaps a number, in the page's language.
+std::string wordsOfEvent(const std::string& words, const scene::Words& ofScene,
+                         const Language& say) {
+  if (!say.ofPictures) return words;
+  const std::size_t end = words.find_last_not_of("0123456789") + 1;
+  const bool isNumbered = end > 0 && end < words.size() && words[end - 1] == ' ';
+  const std::string word = isNumbered ? words.substr(0, end - 1) : words;
+  const auto row = std::ranges::find(ofScene.texts, word);
+  if (row == ofScene.texts.end()) return words;
+  return say.ofPictures->texts[static_cast<std::size_t>(row - ofScene.texts.begin())] +
+         words.substr(word.size());
 }
 
-MotionResult motionIn(const Json& motion) {
+timeline::ClipEvent eventIn(const Json& event, const scene::Words& ofScene, const Language& say) {
+  const Json& label = event.at("label");
+  return {event.at("frame").get<std::int64_t>(), event.at("time_s").get<double>(),
+          label.is_null() ? "" : say(label.get<std::string>()),
+          wordsOfEvent(event.at("words").get<std::string>(), ofScene, say)};
+}
+
+MotionResult motionIn(const Json& motion, const Language& say) {
   MotionResult result{numberIn(motion, "diverged_at_s")};
   if (motion.at("diverges_unexpectedly").get<bool>())
-    result.checks.push_back(unexpectedDivergence(*result.divergedAt));
+    result.checks.push_back(unexpectedDivergence(*result.divergedAt, say));
   for (const Json& expected : motion.at("expectations"))
-    result.checks.push_back(checkOf(expectationIn(expected)));
+    result.checks.push_back(checkOf(expectationIn(expected), say));
   return result;
 }
 
@@ -32,13 +48,17 @@ std::string inScript(const Json& json) {
   return text;
 }
 
-ClipResult resultIn(const Json& json, const std::string& checksum) {
+ClipResult resultIn(const Json& json, const scene::Scene& scene, const std::string& checksum,
+                    const Language& say) {
   ClipResult result;
   result.frames = json.at("frames").get<std::int64_t>();
-  for (const Json& motion : json.at("motions")) result.motions.push_back(motionIn(motion));
-  for (const Json& event : json.at("events")) result.events.push_back(eventIn(event));
+  for (const Json& motion : json.at("motions")) result.motions.push_back(motionIn(motion, say));
+  for (const Json& event : json.at("events"))
+    result.events.push_back(eventIn(event, scene.overlay.words, say));
   Json plots = json.at("plots");
   for (const char* key : {"rate", "frames"}) plots[key] = json.at(key);
+  for (Json& motion : plots.at("motions"))
+    motion["label"] = say(motion.at("label").get<std::string>());
   if (!checksum.empty()) plots["checksum"] = checksum;
   result.plots = inScript(plots);
   return result;
@@ -47,11 +67,11 @@ ClipResult resultIn(const Json& json, const std::string& checksum) {
 }  // namespace
 
 ClipResult readClipResult(const std::filesystem::path& file, const scene::Scene& scene,
-                          const std::string& checksum) {
+                          const std::string& checksum, const Language& say) {
   requireFile(file, scene, "render");
-  const auto result =
-      readResult<ClipResult>(file, store::sceneChecksum(scene),
-                             [&](const Json& json) { return resultIn(json, checksum); });
+  const auto result = readResult<ClipResult>(
+      file, store::sceneChecksum(scene),
+      [&](const Json& json) { return resultIn(json, scene, checksum, say); });
   if (result && result->motions.size() == scene.motions.size()) return *result;
   throw InputError(fmt::format("{} was made from another scene or with other settings; {}",
                                file.string(), renderAgain(scene, file.parent_path())));

@@ -31,6 +31,6 @@ struct ClipResult {
 /// Reads the result of the clip of `scene` from `file`; `checksum` is that of its motion by the
 /// clip's record. Throws InputError, with the remedy, unless the file is that.
 ClipResult readClipResult(const std::filesystem::path& file, const scene::Scene& scene,
-                          const std::string& checksum);
+                          const std::string& checksum, const Language& say);
 
 }  // namespace rotatebook::page

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <fmt/core.h>
-
 #include "base/number_text.h"
 #include "scene/expectation_text.h"
 
@@ -12,7 +10,7 @@ namespace {
 
 constexpr std::string_view kTable = R"(<div class="scroll"><table class="checks">
 <caption>{{caption}}</caption>
-<thead><tr><th scope="col">Quantity</th><th scope="col">Expected</th><th scope="col">Measured</th><th scope="col">Verdict</th></tr></thead>
+<thead><tr><th scope="col">{{"Quantity"}}</th><th scope="col">{{"Expected"}}</th><th scope="col">{{"Measured"}}</th><th scope="col">{{"Verdict"}}</th></tr></thead>
 <tbody>
 {{rows}}</tbody></table></div>
 )";
@@ -33,13 +31,14 @@ bool areAllMet(const std::vector<Check>& checks) {
 }
 
 /// Returns "4 of 5 expectations met".
-Html countText(const std::vector<Check>& checks) {
-  const auto met = std::ranges::count(checks, true, &Check::met);
-  return escaped(
-      fmt::format("{} of {} expectation{} met", met, checks.size(), checks.size() == 1 ? "" : "s"));
+Html countText(const std::vector<Check>& checks, const Language& say) {
+  const auto met = std::to_string(std::ranges::count(checks, true, &Check::met));
+  if (checks.size() == 1) return escaped(say("{met} of 1 expectation met", {{"met", met}}));
+  return escaped(say("{met} of {all} expectations met",
+                     {{"met", met}, {"all", std::to_string(checks.size())}}));
 }
 
-Html rowOf(const Check& check) {
+Html rowOf(const Check& check, const Language& say) {
   const Html meaning = check.meaning.empty() ? Html{}
                                              : filled(R"(<span class="meaning">{{text}}</span>)",
                                                       {{"text", escaped(check.meaning)}});
@@ -48,47 +47,50 @@ Html rowOf(const Check& check) {
                        {"expected", escaped(check.expected)},
                        {"measured", escaped(check.measured)},
                        {"class", {check.met ? "met" : "unmet"}},
-                       {"verdict", {check.met ? "✓ met" : "✗ not met"}}});
+                       {"verdict", escaped(check.met ? say("✓ met") : say("✗ not met"))}});
 }
 
 }  // namespace
 
 Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,
-              const std::string& meaning) {
+              const std::string& meaning, const Language& say) {
   const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
-  return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
-          bounds.hold(measured), meaning};
+  return {subject, say.numbers(expectedText(expectation, say)),
+          say.numbers(measuredText(measured, expectation, kCheckDigits, say)),
+          bounds.hold(measured), say(meaning)};
 }
 
-Check checkOf(const scene::ExpectationResult& result) {
+Check checkOf(const scene::ExpectationResult& result, const Language& say) {
   const scene::Expectation& expectation = result.expectation;
-  return {std::string(nameOf(expectation.measure)) + windowText(expectation),
-          expectedText(expectation), measuredText(result, kCheckDigits), result.met,
-          std::string(rowOf(expectation.measure).meaning)};
+  return {std::string(nameOf(expectation.measure)) + say.numbers(windowText(expectation, say)),
+          say.numbers(expectedText(expectation, say)),
+          say.numbers(measuredText(result, kCheckDigits, say)), result.met,
+          say(rowOf(expectation.measure).meaning)};
 }
 
-Check unexpectedDivergence(double time) {
-  return {"diverges_at", "no divergence", roundedText(time, kCheckDigits) + " s", false,
-          std::string(rowOf(scene::Measure::DivergesAt).meaning)};
+Check unexpectedDivergence(double time, const Language& say) {
+  return {"diverges_at", say("no divergence"), say.numbers(roundedText(time, kCheckDigits)) + " s",
+          false, say(rowOf(scene::Measure::DivergesAt).meaning)};
 }
 
-Html checksTable(const std::string& caption, const std::vector<Check>& checks) {
+Html checksTable(const std::string& caption, const std::vector<Check>& checks,
+                 const Language& say) {
   if (checks.empty()) return {};
   Html rows;
-  for (const Check& check : checks) rows += rowOf(check);
-  return filled(kTable, {{"caption", escaped(caption)}, {"rows", rows}});
+  for (const Check& check : checks) rows += rowOf(check, say);
+  return filled(kTable, {{"caption", escaped(caption)}, {"rows", rows}}, say);
 }
 
-Html unmetBadge(const std::vector<Check>& checks) {
-  return areAllMet(checks) ? Html{} : filled(kBadge, {{"text", countText(checks)}});
+Html unmetBadge(const std::vector<Check>& checks, const Language& say) {
+  return areAllMet(checks) ? Html{} : filled(kBadge, {{"text", countText(checks, say)}});
 }
 
-Html foldedChecks(const std::vector<Check>& checks, const Html& tables) {
+Html foldedChecks(const std::vector<Check>& checks, const Html& tables, const Language& say) {
   if (checks.empty()) return {};
   const bool met = areAllMet(checks);
   return filled(kFolded, {{"open", {met ? "" : " open"}},
                           {"class", {met ? "met" : "unmet"}},
-                          {"text", countText(checks)},
+                          {"text", countText(checks, say)},
                           {"tables", tables}});
 }
 

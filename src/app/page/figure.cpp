@@ -14,23 +14,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
+Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files,
+                   const Language& say) {
   const std::string png = scene.name + ".png";
   const image::Image pixels = image::readPng(folder / png);
   const std::string thumbnail = files.hasThumbnails ? nameOfThumbnail(scene, folder) : png;
   const std::string picture = files.nameOfPicture(png);
-  Figure figure{FigureKind::Still, scene.name, scene.title, files.nameOfPicture(thumbnail)};
+  Figure figure{FigureKind::Still, scene.name, say(scene.title), files.nameOfPicture(thumbnail)};
   figure.pictures = {png, thumbnail};
-  figure.section =
-      filled(stillTemplate(), {{"id", escaped(scene.name)},
-                               {"anchor", addressOf(scene.name)},
-                               {"title", escaped(scene.title)},
-                               {"picture", addressOf(picture)},
-                               {"width", {std::to_string(pixels.width())}},
-                               {"height", {std::to_string(pixels.height())}},
-                               {"caption", escaped(scene.caption)},
-                               {"links", linkItem(picture, files.isPacked ? "Picture" : "PNG")},
-                               {"scene", sceneDetails(scene)}});
+  figure.section = filled(stillTemplate(),
+                          {{"id", escaped(scene.name)},
+                           {"anchor", addressOf(scene.name)},
+                           {"title", escaped(figure.title)},
+                           {"picture", addressOf(picture)},
+                           {"width", {std::to_string(pixels.width())}},
+                           {"height", {std::to_string(pixels.height())}},
+                           {"caption", escaped(say(scene.caption))},
+                           {"links", linkItem(picture, files.isPacked ? say("Picture") : "PNG")},
+                           {"scene", sceneDetails(scene, say)}},
+                          say);
   return figure;
 }
 
@@ -45,11 +47,12 @@ std::string FigureFiles::nameOfPicture(const std::string& png) const {
   return isPacked ? fs::path(png).replace_extension(".webp").string() : png;
 }
 
-Figure readFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
-  if (scene.study) return studyFigure(scene, folder);
-  if (scene.map) return mapFigure(scene, folder, files);
-  return isStill(scene, folder) ? stillFigure(scene, folder, files)
-                                : clipFigure(scene, folder, files);
+Figure readFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files,
+                  const Language& say) {
+  if (scene.study) return studyFigure(scene, folder, say);
+  if (scene.map) return mapFigure(scene, folder, files, say);
+  return isStill(scene, folder) ? stillFigure(scene, folder, files, say)
+                                : clipFigure(scene, folder, files, say);
 }
 
 std::string nameOfThumbnail(const scene::Scene& scene, const fs::path& folder) {
@@ -92,11 +95,11 @@ std::string formatOf(const fs::path& file) {
   return name;
 }
 
-Html sceneDetails(const scene::Scene& scene) {
+Html sceneDetails(const scene::Scene& scene, const Language& say) {
   return filled(
-      "<details><summary>The scene, every default explicit</summary><pre class=\"scene\" "
+      "<details><summary>{{\"The scene, every default explicit\"}}</summary><pre class=\"scene\" "
       "tabindex=\"0\">{{text}}</pre></details>",
-      {{"text", escaped(sceneText(scene))}});
+      {{"text", escaped(sceneText(scene))}}, say);
 }
 
 }  // namespace rotatebook::page

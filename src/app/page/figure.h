@@ -52,14 +52,15 @@ struct Figure {
 /// there is a NAME.png but no clip, else a clip. Throws InputError, naming the file and the remedy,
 /// if a file is missing or was made from something else than this scene.
 Figure readFigure(const scene::Scene& scene, const std::filesystem::path& folder,
-                  const FigureFiles& files = {});
+                  const FigureFiles& files = {}, const Language& say = {});
 
 /// Read the figure of a clip or comparison, of a study and of a map. Inside the room only.
 Figure clipFigure(const scene::Scene& scene, const std::filesystem::path& folder,
-                  const FigureFiles& files);
-Figure studyFigure(const scene::Scene& scene, const std::filesystem::path& folder);
+                  const FigureFiles& files, const Language& say);
+Figure studyFigure(const scene::Scene& scene, const std::filesystem::path& folder,
+                   const Language& say);
 Figure mapFigure(const scene::Scene& scene, const std::filesystem::path& folder,
-                 const FigureFiles& files);
+                 const FigureFiles& files, const Language& say);
 
 /// Throws InputError "PATH is missing; ...: rotatebook COMMAND SCENE -o FOLDER" if there is no such
 /// file. Inside the room only.
@@ -84,6 +85,6 @@ Html linkItem(const std::string& address, const std::string& text);
 /// Returns the name of a file's format, by its ending: "PNG".
 std::string formatOf(const std::filesystem::path& file);
 /// Returns the scene's text with every default explicit, folded away. Inside the room only.
-Html sceneDetails(const scene::Scene& scene);
+Html sceneDetails(const scene::Scene& scene, const Language& say);
 
 }  // namespace rotatebook::page

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Returns the film of the map if there is one. Throws InputError of another map's.
-Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
+Html filmOf(const scene::Scene& scene, const store::MapFiles& files, const Language& say) {
   if (!scene.map->film || !fs::exists(files.film)) return {};
   if (video::readClipMetadata(files.film).comment != store::recordOfFilm(scene)) {
     throw InputError(
@@ -29,27 +29,30 @@ Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
                     files.film.string(), remedy("map --film", scene, files.film.parent_path())));
   }
   const video::PictureSize size = video::readPictureSize(files.film);
-  return filled(filmTemplate(), {{"width", {std::to_string(size.width)}},
-                                 {"height", {std::to_string(size.height)}},
-                                 {"poster", addressOf(files.png().filename().string())},
-                                 {"video", addressOf(files.film.filename().string())},
-                                 {"title", escaped(scene.title)}});
+  return filled(filmTemplate(),
+                {{"width", {std::to_string(size.width)}},
+                 {"height", {std::to_string(size.height)}},
+                 {"poster", addressOf(files.png().filename().string())},
+                 {"video", addressOf(files.film.filename().string())},
+                 {"title", escaped(say(scene.title))}},
+                say);
 }
 
 }  // namespace
 
-Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& shown) {
+Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& shown,
+                 const Language& say) {
   const store::MapFiles files = store::mapFiles(folder, scene.name);
   for (const auto& file : files.plots) requireFile(file, scene, "map");
   for (const auto& file : {files.plain, files.npy, files.json}) requireFile(file, scene, "map");
   const std::vector<Check> checks =
-      readChecks(files.json, scene, store::sceneChecksum(scene), "map", "make the map again");
+      readChecks(files.json, scene, store::sceneChecksum(scene), "map", "make the map again", say);
   const image::Image pixels = image::readPng(files.png());
   const std::string picture = files.png().filename().string();
-  Figure figure{FigureKind::Map, scene.name, scene.title, files.plain.filename().string()};
-  figure.badge = unmetBadge(checks);
+  Figure figure{FigureKind::Map, scene.name, say(scene.title), files.plain.filename().string()};
+  figure.badge = unmetBadge(checks, say);
   figure.files = {picture, figure.thumbnail};
-  const Html film = filmOf(scene, files);
+  const Html film = filmOf(scene, files, say);
   Html links;
   for (const fs::path& plot : files.plots) {
     if (plot != files.png() && shown.isPacked) continue;
@@ -58,27 +61,29 @@ Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const Figure
   if (!film.text.empty()) {
     figure.files.push_back(files.film.filename().string());
     figure.frameRate = scene.clip.frameRate;
-    links += linkItem(files.film.filename().string(), "film (MP4)");
+    links += linkItem(files.film.filename().string(), say("film (MP4)"));
   }
-  links += linkItem(files.plain.filename().string(), "PNG without text");
+  links += linkItem(files.plain.filename().string(), say("PNG without text"));
   if (!shown.isPacked) {
-    links += linkItem(files.npy.filename().string(), "values (NumPy)");
-    links += linkItem(files.json.filename().string(), "axes (JSON)");
+    links += linkItem(files.npy.filename().string(), say("values (NumPy)"));
+    links += linkItem(files.json.filename().string(), say("axes (JSON)"));
   }
   figure.section =
       filled(mapTemplate(),
              {{"id", escaped(scene.name)},
               {"anchor", addressOf(scene.name)},
-              {"title", escaped(scene.title)},
+              {"title", escaped(figure.title)},
               {"badge", figure.badge},
               {"picture", addressOf(picture)},
               {"width", {std::to_string(pixels.width())}},
               {"height", {std::to_string(pixels.height())}},
-              {"caption", escaped(scene.caption)},
+              {"caption", escaped(say(scene.caption))},
               {"film", film},
-              {"checks", foldedChecks(checks, checksTable("Expected and measured", checks))},
+              {"checks",
+               foldedChecks(checks, checksTable(say("Expected and measured"), checks, say), say)},
               {"links", links},
-              {"scene", sceneDetails(scene)}});
+              {"scene", sceneDetails(scene, say)}},
+             say);
   return figure;
 }
 

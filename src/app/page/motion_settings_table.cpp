@@ -18,59 +18,73 @@ constexpr int kSettingDigits = 4;
 /// One setting of every motion; empty where a motion has none.
 using Row = std::vector<std::string>;
 
-std::string number(double value) {
-  return roundedText(value, kSettingDigits);
-}
+/// Texts of a motion's settings in a language.
+struct Texts {
+  const Language& say;
 
-std::string vectorText(const Eigen::Vector3d& vector) {
-  return fmt::format("({}, {}, {})", number(vector.x()), number(vector.y()), number(vector.z()));
-}
+  std::string number(double value) const { return say.numbers(roundedText(value, kSettingDigits)); }
 
-std::string integratorText(const scene::Panel& motion) {
-  if (!physics::takesSteps(motion.simulation.model)) {
-    return motion.simulation.model == physics::Model::Exact ? "closed form" : "recorded";
+  /// Has semicolons between the numbers if the decimal mark is a comma.
+  std::string vector(const Eigen::Vector3d& vector) const {
+    const std::string_view between = say.numbers("0.5") == "0,5" ? "; " : ", ";
+    return "(" + joined({number(vector.x()), number(vector.y()), number(vector.z())}, between) +
+           ")";
   }
-  return joined({std::string(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)),
-                 joined(scene::correctionTexts(motion.simulation))});
-}
 
-std::string stepText(const scene::Panel& motion) {
-  if (!physics::takesSteps(motion.simulation.model)) return "";
-  return number(1e3 * motion.simulation.steps().length()) + " ms";
-}
+  std::string model(const scene::Panel& motion) const {
+    return say(scene::nameOf(scene::kModels, motion.simulation.model));
+  }
 
-std::string springsText(const scene::Panel& motion) {
-  const physics::SimulationSettings& settings = motion.simulation;
-  if (settings.model != physics::Model::Particles) return "";
-  return fmt::format("{} N/m, {}", number(settings.stiffness),
-                     settings.damping > 0 ? "damping " + number(settings.damping) : "undamped");
-}
+  std::string integrator(const scene::Panel& motion) const {
+    if (!physics::takesSteps(motion.simulation.model)) {
+      return motion.simulation.model == physics::Model::Exact ? say("closed form")
+                                                              : say("recorded");
+    }
+    const scene::Words words = say.ofPictures.value_or(scene::Words{});
+    return joined({say(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)),
+                   joined(scene::correctionTexts(motion.simulation, words))});
+  }
 
-std::string dissipationText(const scene::Panel& motion) {
-  const physics::SimulationSettings& settings = motion.simulation;
-  return settings.dissipates() ? number(settings.dissipation) + " kg m² s" : "";
-}
+  std::string step(const scene::Panel& motion) const {
+    if (!physics::takesSteps(motion.simulation.model)) return "";
+    return number(1e3 * motion.simulation.steps().length()) + " ms";
+  }
 
-std::string spinText(const scene::Panel& motion) {
-  const physics::InitialSpin& spin = motion.initial;
-  const bool isVelocity = spin.kind == physics::InitialSpin::Kind::AngularVelocity;
-  return (isVelocity ? "ω = " : "L = ") + vectorText(spin.value) +
-         (isVelocity ? " rad/s" : " kg m²/s");
-}
+  std::string springs(const scene::Panel& motion) const {
+    const physics::SimulationSettings& settings = motion.simulation;
+    if (settings.model != physics::Model::Particles) return "";
+    return number(settings.stiffness) + " N/m, " +
+           (settings.damping > 0 ? say("damping {number}", {{"number", number(settings.damping)}})
+                                 : say("undamped"));
+  }
 
-std::string tiltText(const scene::Panel& motion) {
-  const auto& tilt = motion.initial.tilt;
-  if (!tilt) return "none";
-  return fmt::format("{} rad toward {}", number(tilt->angle),
-                     scene::nameOf(scene::kAxes, tilt->axis));
-}
+  std::string dissipation(const scene::Panel& motion) const {
+    const physics::SimulationSettings& settings = motion.simulation;
+    return settings.dissipates() ? number(settings.dissipation) + " kg m² s" : "";
+  }
 
-std::string bodyText(const scene::Panel& motion) {
-  const Eigen::Vector3d size = 1e3 * motion.body.size;
-  return fmt::format("{} × {} × {} mm, {} kg{}", number(size.x()), number(size.y()),
-                     number(size.z()), number(motion.body.mass),
-                     motion.inertia ? ", own inertia tensor" : "");
-}
+  std::string spin(const scene::Panel& motion) const {
+    const physics::InitialSpin& spin = motion.initial;
+    const bool isVelocity = spin.kind == physics::InitialSpin::Kind::AngularVelocity;
+    return (isVelocity ? "ω = " : "L = ") + vector(spin.value) +
+           (isVelocity ? " rad/s" : " kg m²/s");
+  }
+
+  std::string tilt(const scene::Panel& motion) const {
+    const auto& tilt = motion.initial.tilt;
+    if (!tilt) return say("none");
+    return say("{angle} rad toward {axis}",
+               {{"angle", number(tilt->angle)},
+                {"axis", std::string(scene::nameOf(scene::kAxes, tilt->axis))}});
+  }
+
+  std::string body(const scene::Panel& motion) const {
+    const Eigen::Vector3d size = 1e3 * motion.body.size;
+    return fmt::format("{} × {} × {} mm, {} kg", number(size.x()), number(size.y()),
+                       number(size.z()), number(motion.body.mass)) +
+           (motion.inertia ? ", " + say("own inertia tensor") : "");
+  }
+};
 
 Html cells(const char* tag, const Row& row) {
   Html html;
@@ -121,26 +135,32 @@ Html headOf(const std::vector<scene::Panel>& motions) {
 
 }  // namespace
 
-Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip) {
-  Html rows = rowOf("Model", motions, [](const scene::Panel& motion) {
-    return std::string(scene::nameOf(scene::kModels, motion.simulation.model));
-  });
-  rows += rowOf("Integrator", motions, &integratorText);
-  rows += rowOf("Step", motions, &stepText);
-  rows += rowOf("Springs", motions, &springsText);
-  rows += rowOf("Dissipation", motions, &dissipationText);
-  rows += rowOf("Spin", motions, &spinText);
-  rows += rowOf("Tilt", motions, &tiltText);
-  rows += rowOf("Book", motions, &bodyText);
-  const std::string picture =
-      fmt::format("{} × {}, {} frames/s", clip.width, clip.height, clip.frameRate.text());
-  rows += rowHtml("Picture",
+Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip,
+                   const Language& say) {
+  const Texts texts{say};
+  Html rows;
+  const auto add = [&](const std::string& name,
+                       std::string (Texts::*text)(const scene::Panel&) const) {
+    rows += rowOf(name, motions, [&](const scene::Panel& motion) { return (texts.*text)(motion); });
+  };
+  add(say("Model"), &Texts::model);
+  add(say("Integrator"), &Texts::integrator);
+  add(say("Step"), &Texts::step);
+  add(say("Springs"), &Texts::springs);
+  add(say("Dissipation"), &Texts::dissipation);
+  add(say("Spin"), &Texts::spin);
+  add(say("Tilt"), &Texts::tilt);
+  add(say("Book"), &Texts::body);
+  const std::string picture = say(
+      "{size}, {rate} frames/s",
+      {{"size", fmt::format("{} × {}", clip.width, clip.height)}, {"rate", clip.frameRate.text()}});
+  rows += rowHtml(say("Picture"),
                   {fmt::format("<td colspan=\"{}\">{}</td>", isGrid(motions) ? 1 : motions.size(),
                                escaped(picture).text)});
   return {fmt::format(
       "<div class=\"scroll\" tabindex=\"0\"><table "
-      "class=\"settings\">\n<caption>Settings</caption>\n{}<tbody>\n{}</tbody></table></div>\n",
-      headOf(motions).text, rows.text)};
+      "class=\"settings\">\n<caption>{}</caption>\n{}<tbody>\n{}</tbody></table></div>\n",
+      escaped(say("Settings")).text, headOf(motions).text, rows.text)};
 }
 
 }  // namespace rotatebook::page

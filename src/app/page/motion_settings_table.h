@@ -9,6 +9,7 @@
 namespace rotatebook::page {
 
 /// Returns a row for each setting, a column for each motion; the last row is the clip's.
-Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip);
+Html settingsTable(const std::vector<scene::Panel>& motions, const scene::ClipSettings& clip,
+                   const Language& say = {});
 
 }  // namespace rotatebook::page

@@ -12,7 +12,7 @@ namespace rotatebook::page {
 namespace {
 
 constexpr std::string_view kOverview = R"(<nav class="overview" aria-labelledby="page/overview">
-<h2 id="page/overview">Overview</h2>
+<h2 id="page/overview">{{"Overview"}}</h2>
 {{groups}}</nav>
 )";
 
@@ -24,7 +24,8 @@ constexpr std::string_view kSheet = R"(<ul class="sheet">
 )";
 
 /// Opened by a link to a figure in it, too, by a search and by printing.
-constexpr std::string_view kFolded = R"(<details class="folded"><summary>{{count}} more</summary>
+constexpr std::string_view kFolded =
+    R"(<details class="folded"><summary>{{"{count} more"}}</summary>
 {{content}}</details>
 )";
 
@@ -35,12 +36,12 @@ constexpr std::string_view kItem = R"(<li><a href="#{{anchor}}">
 </a>{{badge}}</li>
 )";
 
-constexpr std::string_view kContents = R"~(<nav class="contents" aria-label="Contents">
-<button type="button" class="previous" aria-label="Previous figure" title="Previous figure (←)" hidden></button>
-<details><summary>Contents</summary>
+constexpr std::string_view kContents = R"~(<nav class="contents" aria-label="{{"Contents"}}">
+<button type="button" class="previous" aria-label="{{"Previous figure"}}" title="{{"Previous figure (←)"}}" hidden></button>
+<details><summary>{{"Contents"}}</summary>
 <ol>
 {{chapters}}</ol></details>
-<button type="button" class="next" aria-label="Next figure" title="Next figure (→)" hidden></button>
+<button type="button" class="next" aria-label="{{"Next figure"}}" title="{{"Next figure (→)"}}" hidden></button>
 </nav>
 )~";
 
@@ -79,26 +80,26 @@ Html itemOf(const Figure& figure) {
 }
 
 /// Returns what is folded away of a chapter; empty if nothing is.
-Html foldedAway(const ToldChapter& chapter, const Html& content) {
+Html foldedAway(const ToldChapter& chapter, const Html& content, const Language& say) {
   const auto count = std::ranges::count_if(chapter.figures, &ToldFigure::isFolded);
   if (count == 0) return {};
-  return filled(kFolded, {{"count", {std::to_string(count)}}, {"content", content}});
+  return filled(kFolded, {{"count", {std::to_string(count)}}, {"content", content}}, say);
 }
 
-Html overviewOf(const std::vector<ToldChapter>& chapters) {
+Html overviewOf(const std::vector<ToldChapter>& chapters, const Language& say) {
   Html groups;
   for (const ToldChapter& chapter : chapters) {
     Html shown, folded;
     for (const ToldFigure& told : chapter.figures)
       (told.isFolded ? folded : shown) += itemOf(*told.figure);
     Html items = filled(kSheet, {{"items", shown}});
-    items += foldedAway(chapter, filled(kSheet, {{"items", folded}}));
+    items += foldedAway(chapter, filled(kSheet, {{"items", folded}}), say);
     groups += filled(kGroup, {{"heading", escaped(chapter.title)}, {"items", items}});
   }
-  return filled(kOverview, {{"groups", groups}});
+  return filled(kOverview, {{"groups", groups}}, say);
 }
 
-Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
+Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead, const Language& say) {
   Html all;
   for (const ToldChapter& chapter : chapters) {
     Html items;
@@ -112,11 +113,11 @@ Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
                                      {"title", escaped(chapter.title)},
                                      {"items", items}});
   }
-  return filled(kContents, {{"chapters", all}});
+  return filled(kContents, {{"chapters", all}}, say);
 }
 
 /// Returns the chapters' figures but for the `lead`, which stands above them.
-Html chaptersOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
+Html chaptersOf(const std::vector<ToldChapter>& chapters, const Figure& lead, const Language& say) {
   Html all;
   for (const ToldChapter& chapter : chapters) {
     Html figures, folded;
@@ -126,7 +127,7 @@ Html chaptersOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
       part += wordsOf("between", told.words);
       part += told.figure->section;
     }
-    figures += foldedAway(chapter, folded);
+    figures += foldedAway(chapter, folded, say);
     if (figures.text.empty()) continue;
     all += filled(kChapter, {{"place", placeOf(chapter)},
                              {"title", escaped(chapter.title)},
@@ -147,15 +148,15 @@ struct Parts {
   Html preview{}, contents{}, lead{}, overview{}, chapters{};
 };
 
-Parts partsOf(const std::vector<Figure>& figures) {
+Parts partsOf(const std::vector<Figure>& figures, const Language& say) {
   if (figures.empty()) return {};
   const Figure& lead = figures.front();
-  const std::vector<ToldChapter> chapters = tell(figures, story());
+  const std::vector<ToldChapter> chapters = tell(figures, story(), say);
   Parts parts{.preview = previewOf(lead), .lead = lead.section};
   if (figures.size() == 1) return parts;
-  parts.contents = contentsOf(chapters, lead);
-  parts.overview = overviewOf(chapters);
-  parts.chapters = chaptersOf(chapters, lead);
+  parts.contents = contentsOf(chapters, lead, say);
+  parts.overview = overviewOf(chapters, say);
+  parts.chapters = chaptersOf(chapters, lead, say);
   return parts;
 }
 
@@ -163,28 +164,47 @@ Html asIs(std::string_view text) {
   return {std::string(text)};
 }
 
+/// Returns the words that scripts say, as JSON for assets/page/words.js; nothing in English.
+Html wordsOfScripts(const Language& say) {
+  if (say.ofScripts.empty()) return {};
+  std::vector<std::string> rows;
+  for (const auto& [english, text] : say.ofScripts)
+    rows.push_back(quotedText(english) + ":" + quotedText(text));
+  std::string json = "{" + joined(rows) + "}";
+  for (std::size_t at = json.find('<'); at != json.npos; at = json.find('<', at))
+    json.replace(at, 1, "\\u003C");
+  return filled(
+      "<script type=\"application/json\" class=\"words\" lang=\"{{tag}}\">{{json}}</script>\n",
+      {{"tag", escaped(say.tag)}, {"json", {json}}});
+}
+
 }  // namespace
 
 std::string pageText(const std::string& title, const std::vector<Figure>& figures,
-                     const std::string& live) {
-  const Parts parts = partsOf(figures);
+                     const std::string& live, const Language& say) {
+  const Parts parts = partsOf(figures, say);
   const Html fragment =
       live.empty() ? Html{} : filled("<div class=\"live\">{{live}}</div>\n", {{"live", {live}}});
-  return filled(indexTemplate(), {{"title", escaped(title)},
-                                  {"version", escaped(kVersion)},
-                                  {"preview", parts.preview},
-                                  {"library-style", asIs(libraryStyle())},
-                                  {"style", asIs(pageStyle())},
-                                  {"contents", parts.contents},
-                                  {"live", fragment},
-                                  {"lead", parts.lead},
-                                  {"overview", parts.overview},
-                                  {"figures", parts.chapters},
-                                  {"library", asIs(libraryScript())},
-                                  {"player", asIs(playerScript())},
-                                  {"plots", asIs(plotsScript())},
-                                  {"contents-script", asIs(contentsScript())},
-                                  {"script", asIs(pageScript())}})
+  return filled(indexTemplate(),
+                {{"title", escaped(say(title))},
+                 {"language", escaped(say.tag)},
+                 {"words", wordsOfScripts(say)},
+                 {"version", escaped(kVersion)},
+                 {"preview", parts.preview},
+                 {"library-style", asIs(libraryStyle())},
+                 {"style", asIs(pageStyle())},
+                 {"contents", parts.contents},
+                 {"live", fragment},
+                 {"lead", parts.lead},
+                 {"overview", parts.overview},
+                 {"figures", parts.chapters},
+                 {"library", asIs(libraryScript())},
+                 {"words-script", asIs(wordsScript())},
+                 {"player", asIs(playerScript())},
+                 {"plots", asIs(plotsScript())},
+                 {"contents-script", asIs(contentsScript())},
+                 {"script", asIs(pageScript())}},
+                say)
       .text;
 }
 

@@ -21,14 +21,41 @@ scene::Measure measureIn(const Json& name) {
   return row->measure;
 }
 
-Check boundCheckIn(const Json& expected) {
+/// Returns what a study or a map expects something of, such as "first_flip at 1e-05" or "share
+/// never, of exact": names of measures and values stay, the words between are said.
+std::string subjectIn(std::string text, const Language& say) {
+  const std::pair<std::string_view, std::string> parts[]{
+      {"smallest value", say("smallest value")},
+      {"largest value", say("largest value")},
+      {"mean value", say("mean value")},
+      {"value at ", say("value at ")},
+      {"share with a value", say("share with a value")},
+      {"share never", say("share never")},
+      {"share diverged", say("share diverged")},
+      {"share refused", say("share refused")},
+      {"share", say("share")},
+      {" over ", say(" over ")},
+      {" and under ", say(" and under ")},
+      {" under ", say(" under ")},
+      {" at ", say(" at ")},
+      {" of ", say(" of ")},
+  };
+  for (const auto& [english, said] : parts) {
+    const std::size_t at = text.find(english);
+    const bool isFirst = english.front() != ' ';
+    if (at != text.npos && (!isFirst || at == 0)) text.replace(at, english.size(), said);
+  }
+  return say.numbers(text);
+}
+
+Check boundCheckIn(const Json& expected, const Language& say) {
   const Json& measured = expected.at("measured");
   const double value = measured.is_null()  ? Limits::quiet_NaN()
                        : measured == "inf" ? Limits::infinity()
                                            : measured.get<double>();
-  return checkOf(expected.at("quantity").get<std::string>(),
+  return checkOf(subjectIn(expected.at("quantity").get<std::string>(), say),
                  {numberIn(expected, "min"), numberIn(expected, "max")}, value,
-                 expected.at("meaning").get<std::string>());
+                 expected.at("meaning").get<std::string>(), say);
 }
 
 }  // namespace
@@ -57,10 +84,11 @@ scene::ExpectationResult expectationIn(const Json& expected) {
 
 std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Scene& scene,
                               const std::string& sceneChecksum, const std::string& command,
-                              const std::string& again) {
-  const auto checks = readResult<std::vector<Check>>(file, sceneChecksum, [](const Json& result) {
+                              const std::string& again, const Language& say) {
+  const auto checks = readResult<std::vector<Check>>(file, sceneChecksum, [&](const Json& result) {
     std::vector<Check> all;
-    for (const Json& expected : result.at("expectations")) all.push_back(boundCheckIn(expected));
+    for (const Json& expected : result.at("expectations"))
+      all.push_back(boundCheckIn(expected, say));
     return all;
   });
   if (checks) return *checks;

@@ -44,6 +44,6 @@ scene::ExpectationResult expectationIn(const Json& expected);
 /// `rotatebook COMMAND` left; `again` is the remedy: "run the study again".
 std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Scene& scene,
                               const std::string& sceneChecksum, const std::string& command,
-                              const std::string& again);
+                              const std::string& again, const Language& say);
 
 }  // namespace rotatebook::page

@@ -42,8 +42,9 @@ Chapter readChapter(const ValueReader& table) {
 }
 
 /// Returns what no chapter holds; "More" only if there is a story before it.
-ToldChapter restOf(const std::vector<Figure>& figures, const std::set<std::string>& told) {
-  ToldChapter rest{"more", told.empty() ? "Figures" : "More", "", {}};
+ToldChapter restOf(const std::vector<Figure>& figures, const std::set<std::string>& told,
+                   const Language& say) {
+  ToldChapter rest{"more", told.empty() ? say("Figures") : say("More"), "", {}};
   for (const Figure& figure : figures) {
     if (!told.contains(figure.id)) rest.figures.push_back({&figure});
   }
@@ -67,24 +68,24 @@ const std::vector<Chapter>& story() {
   return chapters;
 }
 
-std::vector<ToldChapter> tell(const std::vector<Figure>& figures,
-                              const std::vector<Chapter>& story) {
+std::vector<ToldChapter> tell(const std::vector<Figure>& figures, const std::vector<Chapter>& story,
+                              const Language& say) {
   std::vector<ToldChapter> told;
   std::set<std::string> scenes;
   for (const Chapter& chapter : story) {
-    ToldChapter next{chapter.id, chapter.title, chapter.words, {}};
+    ToldChapter next{chapter.id, say(chapter.title), say(chapter.words), {}};
     const auto tellAll = [&](const std::vector<StoryFigure>& all, bool isFolded) {
       for (const StoryFigure& one : all) {
         const auto found = std::ranges::find(figures, one.scene, &Figure::id);
         if (found == figures.end() || !scenes.insert(one.scene).second) continue;
-        next.figures.push_back({&*found, one.words, isFolded});
+        next.figures.push_back({&*found, say(one.words), isFolded});
       }
     };
     tellAll(chapter.figures, false);
     tellAll(chapter.folded, !next.figures.empty());
     if (!next.figures.empty()) told.push_back(next);
   }
-  const ToldChapter rest = restOf(figures, scenes);
+  const ToldChapter rest = restOf(figures, scenes, say);
   if (!rest.figures.empty()) told.push_back(rest);
   return told;
 }

@@ -46,7 +46,7 @@ struct ToldChapter {
 
 /// Returns the chapters of `story` that have one of `figures`, in the story's order. Figures that
 /// it doesn't name make a last chapter, in their own order. The figures must outlive the result.
-std::vector<ToldChapter> tell(const std::vector<Figure>& figures,
-                              const std::vector<Chapter>& story);
+std::vector<ToldChapter> tell(const std::vector<Figure>& figures, const std::vector<Chapter>& story,
+                              const Language& say = {});
 
 }  // namespace rotatebook::page

@@ -16,15 +16,15 @@ namespace fs = std::filesystem;
 
 }  // namespace
 
-Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
+Figure studyFigure(const scene::Scene& scene, const fs::path& folder, const Language& say) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
   for (const auto& file : {files.csv, files.json}) requireFile(file, scene, "study");
   for (const auto& file : files.plots) requireFile(file, scene, "study");
   const std::vector<Check> checks = readChecks(files.json, scene, store::studySceneChecksum(scene),
-                                               "study", "run the study again");
+                                               "study", "run the study again", say);
 
-  Figure figure{FigureKind::Study, scene.name, scene.title};
-  figure.badge = unmetBadge(checks);
+  Figure figure{FigureKind::Study, scene.name, say(scene.title)};
+  figure.badge = unmetBadge(checks, say);
   Html links;
   const auto link = [&](const fs::path& file, const std::string& title) {
     figure.files.push_back(file.filename().string());
@@ -39,13 +39,15 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
       filled(studyTemplate(),
              {{"id", escaped(scene.name)},
               {"anchor", addressOf(scene.name)},
-              {"title", escaped(scene.title)},
+              {"title", escaped(figure.title)},
               {"badge", figure.badge},
               {"plot", addressOf(figure.thumbnail)},
-              {"caption", escaped(scene.caption)},
-              {"checks", foldedChecks(checks, checksTable("Expected and measured", checks))},
+              {"caption", escaped(say(scene.caption))},
+              {"checks",
+               foldedChecks(checks, checksTable(say("Expected and measured"), checks, say), say)},
               {"links", links},
-              {"scene", sceneDetails(scene)}});
+              {"scene", sceneDetails(scene, say)}},
+             say);
   return figure;
 }
 

@@ -1,6 +1,6 @@
 // Begins when the page is there; says what the browser lacks.
 
-const kInterrupted = "The graphics were interrupted; the picture comes back as soon as the browser lets it.";
+const kInterrupted = say("The graphics were interrupted; the picture comes back as soon as the browser lets it.");
 const kHashPause = 400;  // [ms]
 
 const loadPicture = async (address) => {
@@ -17,8 +17,8 @@ async function loadPictures(addresses) {
 
 /** Returns the words for what is missing here, empty if nothing is. */
 function lackOf() {
-  if (typeof WebAssembly !== "object") return "This browser has no WebAssembly, which the live book is computed with.";
-  if (typeof DecompressionStream === "undefined") return "This browser is too old for the live book: it has no DecompressionStream.";
+  if (typeof WebAssembly !== "object") return say("This browser has no WebAssembly, which the live book is computed with.");
+  if (typeof DecompressionStream === "undefined") return say("This browser is too old for the live book: it has no DecompressionStream.");
   return "";
 }
 
@@ -95,13 +95,14 @@ async function beginLiveBook(root, data) {
 
 (async () => {
   const root = document.querySelector(".rb-live");
+  say.within(root);
   try {
     await beginLiveBook(root, kData);
   } catch (error) {
     const lack = root.querySelector(".rb-lack");
     root.querySelector(".rb-player").hidden = true;
     lack.hidden = false;
-    lack.textContent = `The live book can’t be shown. ${error.message} Everything else on this page works.`;
+    lack.textContent = say("The live book can’t be shown. {problem} Everything else on this page works.", {problem: error.message});
     root.dataset.ready = "false";
   }
   document.dispatchEvent(new Event("rotatebook-live"));  // For the page around it.

@@ -63,7 +63,7 @@ class BookView {
   constructor(canvas, mesh, pictures, shaders) {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", {alpha: false, antialias: true, powerPreference: "high-performance"});
-    if (!this.gl) throw new Error("This browser has no WebGL 2, which the live book is drawn with.");
+    if (!this.gl) throw new Error(say("This browser has no WebGL 2, which the live book is drawn with."));
     this.make = () => this.#make(mesh, pictures, shaders);
     this.make();
   }

@@ -3,9 +3,6 @@
 /** What keeps a clip from being saved; the message is for people. */
 class ClipError extends Error {}
 
-/** Returns a text with values in the places of their names. */
-const filled = (text, values = {}) => text.replace(/\{(\w+)\}/g, (place, name) => values[name]);
-
 // As the first that encodes a picture is taken; a level that has room for 1920x1080 at 60 pictures a second.
 const kCodecs = [
   {name: "H.264", short: "avc", ending: "mp4", format: "Mp4OutputFormat", codecs: ["avc1.64002a", "avc1.4d002a", "avc1.42e02a"], more: {avc: {format: "avc"}}},
@@ -110,7 +107,7 @@ class VideoFile {
   }
 
   #check() {
-    if (this.problem) throw new ClipError(filled("The browser’s encoder has broken off: {problem}", {problem: this.problem.message}));
+    if (this.problem) throw new ClipError(say("The browser’s encoder has broken off: {problem}", {problem: this.problem.message}));
   }
 
   /** Adds what is on the canvas as the clip's frame of that number. */
@@ -159,7 +156,7 @@ class PictureFile {
 
   async add(frame) {
     const blob = await new Promise((resolve) => { this.canvas.toBlob(resolve, "image/png"); });
-    if (!blob) throw new ClipError(filled("The browser can’t write a picture of this size."));
+    if (!blob) throw new ClipError(say("The browser can’t write a picture of this size."));
     this.zip.add(`frame_${String(frame).padStart(5, "0")}.png`, new Uint8Array(await blob.arrayBuffer()));
   }
 

@@ -56,7 +56,7 @@ class ClipPicture {
   draw(frame) {
     const {context, state, stage} = this, {scene, read} = state;
     stage.draw(frame, state);
-    if (stage.view.isLost) throw new ClipError(filled("The graphics were interrupted; save the clip again."));
+    if (stage.view.isLost) throw new ClipError(say("The graphics were interrupted; save the clip again."));
     context.drawImage(stage.picture, 0, 0);
     context.drawImage(stage.lines, 0, 0);
     const time = this.core.numbers(kPlayed, 0, frame, [kSample.time])[0];

@@ -24,7 +24,7 @@ class Commands {
   #click(event) {
     const name = event.target.closest("[data-do]")?.dataset.do, {player} = this;
     const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
-      reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), "The scene"),
+      reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
       save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
     actions[name]?.();
   }
@@ -32,20 +32,20 @@ class Commands {
   async #copyLink() {
     const hash = await hashOf(this.player.sharedText());
     history.replaceState(null, "", hash);
-    await this.#copy(location.href, "The link");
+    await this.#copy(location.href, say("The link is in the clipboard."), say("The link is below, ready to copy."));
   }
 
-  async #copy(text, name) {
+  async #copy(text, done, ready) {
     const {isViewMoved, canShareView} = this.player;
-    const view = isViewMoved && !canShareView ? " It can’t hold the turned view, as its camera turns with the book." : "";
+    const view = isViewMoved && !canShareView ? " " + say("It can’t hold the turned view, as its camera turns with the book.") : "";
     const isCopied = await copyText(text), area = this.root.querySelector(".rb-text");
     area.value = text;
     area.hidden = isCopied;
     if (isCopied) {
-      this.player.announcer.show(`${name} is in the clipboard.${view}`, "good");
+      this.player.announcer.show(done + view, "good");
       return;
     }
-    this.player.announcer.show(`${name} is below, ready to copy.${view}`);
+    this.player.announcer.show(ready + view);
     area.focus();
     area.select();
   }

@@ -1,6 +1,6 @@
 // The controls that are made from rows: choices, knobs and what is shown.
 
-const short = (number) => String(Number(number.toPrecision(6)));
+const short = (number) => say.number(Number(number.toPrecision(6)));
 
 /** Builds an element: make("label", {className: "x"}, child, "text"). */
 function make(name, properties = {}, ...children) {
@@ -17,9 +17,9 @@ class Controls {
     this.refreshers = [];
     this.#makeChoice("axis", kAxes.map((axis) => [axis, axis]), (scene, book) => scene.startAxis(book),
       (axis) => player.startAbout(axis));
-    this.#makeChoice("model", player.core.words.models.map(({name}) => [name, name]), (scene, book) => scene.value(book, "simulation", "model"),
+    this.#makeChoice("model", player.core.words.models.map(({name}) => [name, say(name)]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
-    this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene),
+    this.#makeChoice("books", [["one", say("one")], ["same", say("two")], ["exact", say("two, one exact")]], (scene) => player.booksChoice(scene),
       (choice) => player.setBooks(choice), (choice, model) => choice !== "exact" || model !== "exact");
     this.#makeEdited();
     this.#makeIntegrator();
@@ -64,7 +64,7 @@ class Controls {
       const labels = this.player.labels;
       if (box.dataset.labels !== labels.join("\n")) {
         box.dataset.labels = labels.join("\n");
-        box.replaceChildren(make("span", {className: "rb-name"}, "Settings of"), make("div", {className: "rb-segments"}, ...labels.map((label, i) => {
+        box.replaceChildren(make("span", {className: "rb-name"}, say("Settings of")), make("div", {className: "rb-segments"}, ...labels.map((label, i) => {
           const input = make("input", {type: "radio", name: "rb-edited", value: String(i)});
           input.addEventListener("change", () => this.player.edit(i));
           return make("label", {}, input, make("span", {}, label));
@@ -75,20 +75,20 @@ class Controls {
   }
 
   #makeIntegrator() {
-    const select = make("select"), row = make("label", {className: "rb-row"}, make("span", {className: "rb-name"}, "Integrator"), select);
+    const select = make("select"), row = make("label", {className: "rb-row"}, make("span", {className: "rb-name"}, say("Integrator")), select);
     select.addEventListener("change", () => this.player.apply(this.player.scene.withKeys(this.player.book, "simulation", {integrator: select.value})));
     this.#group("motion").append(row);
     this.refreshers.push((scene, book, model) => {
       const names = this.player.core.words.models.find(({name}) => name === model)?.integrators ?? [];
       row.hidden = names.length === 0;
-      if (select.dataset.model !== model) select.replaceChildren(...names.map((name) => make("option", {value: name}, name)));
+      if (select.dataset.model !== model) select.replaceChildren(...names.map((name) => make("option", {value: name}, say(name))));
       select.dataset.model = model;
       select.value = scene.value(book, "simulation", "integrator") ?? "";
     });
   }
 
   #makeNormalize() {
-    const input = make("input", {type: "checkbox"}), row = make("label", {className: "rb-check"}, input, "Normalise after each step");
+    const input = make("input", {type: "checkbox"}), row = make("label", {className: "rb-check"}, input, say("Normalise after each step"));
     input.addEventListener("change", () => this.player.apply(this.player.scene.withKeys(this.player.book, "simulation",
       {normalize: input.checked, normalize_energy: undefined, remove_drift: undefined})));
     this.#group("motion").append(row);
@@ -124,7 +124,7 @@ class Controls {
     const get = knob.get ?? ((scene, book) => scene.value(book, knob.section, knob.key));
     const put = knob.put ?? ((scene, book, value) => scene.withKeys(book, knob.section, {[knob.key]: value}));
     const set = (value) => {
-      if (!Number.isFinite(value)) this.player.announcer.show(`${knob.label}: this is no number.`, "bad");
+      if (!Number.isFinite(value)) this.player.announcer.show(say("{name}: this is no number.", {name: knob.label}), "bad");
       else this.player.apply(put(this.player.scene, this.player.book, value));
     };
     range.addEventListener("input", () => {

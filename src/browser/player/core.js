@@ -11,13 +11,13 @@ class SceneError extends Error {}
 
 /** Returns what stopped the module in the middle of a call, as people can understand it; other errors as they are. */
 function understandable(error) {
-  const say = (words) => new SceneError(words, {cause: error});
-  if (error instanceof RangeError || error.name === "InternalError") return say("The scene is nested too deeply for this browser.");
+  const problem = (words) => new SceneError(words, {cause: error});
+  if (error instanceof RangeError || error.name === "InternalError") return problem(say("The scene is nested too deeply for this browser."));
   if (!(error instanceof WebAssembly.RuntimeError)) return error;
   if (/OOM|out of memory/i.test(error.message)) {
-    return say("There isn’t enough memory for this scene here; rotatebook render makes its clip.");
+    return problem(say("There isn’t enough memory for this scene here; rotatebook render makes its clip."));
   }
-  return say(`The simulation has broken off: ${error.message}. Load the page again.`);
+  return problem(say("The simulation has broken off: {problem}. Load the page again.", {problem: error.message}));
 }
 
 const missing = (slot, motion) => new Error(`There is no motion ${motion} in slot ${slot}.`);

@@ -2,7 +2,7 @@
 
 const kSilence = 1500;  // [ms]
 
-const seconds = (time) => `${time.toFixed(2)} s`;
+const seconds = (time) => `${say.number(time.toFixed(2))} s`;
 
 class Announcer {
   constructor(region, message) {
@@ -36,7 +36,7 @@ class Announcer {
 function wordsOfEvents(events, from, to, labels, timeOf) {
   return events.filter(({frame}) => frame > from && frame <= to).map(({frame, motion, halfTurns, isEnd}) => {
     const who = labels.length > 1 ? `${labels[motion]}: ` : "";
-    const what = isEnd ? "the motion diverged, and ends" : `flip ${halfTurns}`;
+    const what = isEnd ? say("the motion diverged, and ends") : `${say("flip")} ${halfTurns}`;
     return `${who}${seconds(timeOf(frame))}: ${what}`;
   });
 }

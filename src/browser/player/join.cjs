@@ -30,6 +30,12 @@ function picture(name, width, folder) {
 
 const mapped = (object, action) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, action(value, key)]));
 
+/** The list of words in a language but for those of the page's figures, as JSON: each of its lines is a key and a text as JSON has them, too. */
+function wordsIn(file) {
+  const own = read(kRoot, "assets/words", file).split("\n[story]\n")[0];
+  return Object.fromEntries([...own.matchAll(/^("(?:[^"\\]|\\.)*") = ("(?:[^"\\]|\\.)*")$/gm)].map(([, english, text]) => [JSON.parse(english), JSON.parse(text)]));
+}
+
 /** A script's text must not end its element. */
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 
@@ -48,7 +54,7 @@ function fragment(glue, wasm, muxer, folder) {
     shaders: mapped(kShaders, shader),
     pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
   };
-  const scripts = kScripts.map((name) => read(kHere, name + ".js"));
+  const scripts = [read(kRoot, "assets/page/words.js"), ...kScripts.map((name) => read(kHere, name + ".js"))];
   const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, shortened(scripts, muxer), "})();"].join("\n");
   return `<style>\n${read(kHere, "player.css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
 }
@@ -58,5 +64,6 @@ fs.mkdirSync(folder, {recursive: true});
 const live = fragment(glue, wasm, muxer, folder);
 fs.writeFileSync(path.join(folder, "live_book.html"), live);
 const icon = /<link rel="icon"[^>]*>/.exec(read(kRoot, "assets/page/index.html"))[0];
-const values = {version, icon, "live-book": live};
+const german = JSON.stringify(wordsIn("german.toml")).replaceAll("<", "\\u003C");
+const values = {version, icon, german, words: read(kRoot, "assets/page/words.js"), "live-book": live};
 fs.writeFileSync(path.join(folder, "play.html"), read(kHere, "page.html").replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name]));

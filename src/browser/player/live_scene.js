@@ -3,7 +3,7 @@
 const kStartTilt = 0.014;  // [rad]
 const kStartSpeed = 4;     // [rad/s]
 const kAxes = ["x", "y", "z"];
-const kChanged = ", changed";
+const kChanged = say(", changed");
 const kEvent = /flip|nudge|burst|end/;
 const kTiltToward = {x: "z", y: "x", z: "x"};
 /** Sections that a panel may have of its own. */
@@ -82,7 +82,7 @@ class LiveScene {
   withModel(book, model) {
     const tree = this.withKeys(book, "simulation", {model, ...this.#withoutLoss(model, book), integrator: this.words.models.find(({name}) => name === model).integrator ?? undefined});
     const panel = tree.panel?.[book];
-    if (panel?.label === "exact" && model !== "exact") panel.label = "second";
+    if (panel?.label === say("exact") && model !== "exact") panel.label = say("second");
     return tree;
   }
 
@@ -161,7 +161,7 @@ class LiveScene {
     const {maxNudges} = this.words, sharing = this.tree.panel?.findIndex((panel) => !panel.nudge);
     const all = (this.tree.panel ? this.explicit.panel[sharing] : this.explicit)?.nudge ?? [];
     const earlier = all.filter((nudge) => nudge.at < at);
-    if (earlier.length >= maxNudges) throw new Error(`There are ${maxNudges} throws already; reset the book to throw it anew.`);
+    if (earlier.length >= maxNudges) throw new Error(say("There are {count} throws already; reset the book to throw it anew.", {count: maxNudges}));
     return this.withMotion((tree) => {
       tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];
       if (end > this.explicit.clip.duration) tree.clip = {...tree.clip, duration: Number(end.toPrecision(6))};
@@ -174,13 +174,13 @@ class LiveScene {
   withSecondBook(label, sections = {}) {
     return this.withMotion((tree) => {
       delete tree.grid;
-      tree.panel = [{label: "first"}, {label, ...clone(sections)}];
+      tree.panel = [{label: say("first")}, {label, ...clone(sections)}];
       LiveScene.#setShown(tree, this.explicit, "ghost", false);
     });
   }
 
   withExactBook() {
-    return this.withSecondBook("exact", {simulation: {model: "exact", ...this.#withoutLoss("exact", 0)}});
+    return this.withSecondBook(say("exact"), {simulation: {model: "exact", ...this.#withoutLoss("exact", 0)}});
   }
 
   /** Leaves one book: its own keys become the scene's. */

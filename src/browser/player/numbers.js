@@ -1,17 +1,19 @@
 // The numbers beneath the picture, live.
 
-const percent = (share) => `${(100 * share).toPrecision(share >= 1 ? 5 : 4)} %`;
-const degrees = (angle) => (Math.abs(angle) < 0.01 && angle !== 0 ? `${angle.toExponential(1)}°` : `${angle.toFixed(2)}°`);
+const percent = (share) => `${say.number((100 * share).toPrecision(share >= 1 ? 5 : 4))} %`;
+const degrees = (angle) => `${say.number(Math.abs(angle) < 0.01 && angle !== 0 ? angle.toExponential(1) : angle.toFixed(2))}°`;
+
+const threeDigits = (number) => say.number(number.toFixed(3));
 
 const energyOf = (sample) => sample[kSample.energies] + sample[kSample.energies + 1];
 
 /** Names, and how to say a sample's number. */
 const kNumbers = [
-  ["Flips", (sample) => String(sample[kSample.halfTurns])],
-  ["Tilt", (sample) => degrees(sample[kSample.tilt])],
-  ["Energy", (sample, first) => percent(energyOf(sample) / energyOf(first))],
-  ["Error", (sample, first, motion) => (motion.model === "exact" ? "–" : degrees(sample[kSample.error]))],
-  ["Stretch", (sample) => `${sample[kSample.stretch].toFixed(3)} to ${sample[kSample.stretch + 1].toFixed(3)}`],
+  [say("Flips"), (sample) => String(sample[kSample.halfTurns])],
+  [say("Tilt"), (sample) => degrees(sample[kSample.tilt])],
+  [say("Energy"), (sample, first) => percent(energyOf(sample) / energyOf(first))],
+  [say("Error"), (sample, first, motion) => (motion.model === "exact" ? "–" : degrees(sample[kSample.error]))],
+  [say("Stretch"), (sample) => say("{low} to {high}", {low: threeDigits(sample[kSample.stretch]), high: threeDigits(sample[kSample.stretch + 1])})],
 ];
 
 /** Shows a row of numbers for each book. */

@@ -41,7 +41,7 @@ class StoredZip {
     const common = packed([10, 2], [0, 2], [0, 2], [0, 2], [kZipDay, 2], [crc32Of(bytes), 4], [bytes.length, 4], [bytes.length, 4], [nameBytes.length, 2], [0, 2]);
     this.#put(packed([0x04034b50, 4]), common, nameBytes, new Blob([bytes]));
     this.entries.push({where, common, nameBytes});
-    if (this.entries.length > kMostZipFiles || this.size > kMostZipBytes) throw new ClipError(filled("The pictures are too many for a ZIP; make the motion shorter."));
+    if (this.entries.length > kMostZipFiles || this.size > kMostZipBytes) throw new ClipError(say("The pictures are too many for a ZIP; make the motion shorter."));
   }
 
   /** Returns the ZIP as a blob; nothing can be added after it. */

@@ -1,6 +1,6 @@
 // The live book: joins scene, core, clock, picture, controls and what is said.
 
-const kOpening = `title = "A book thrown about its middle axis"
+const kOpening = `title = "${say("A book thrown about its middle axis")}"
 
 [simulation]
 model = "exact"
@@ -164,14 +164,14 @@ class Player {
     const line = this.find(".rb-checksum");
     line.dataset.same = "false";
     if (this.simulation.hasFailed) {
-      line.textContent = "No checksum: the motion can’t go on.";
+      line.textContent = say("No checksum: the motion can’t go on.");
     } else if (!this.isComplete) {
-      line.textContent = `Simulating … ${Math.floor(100 * this.simulated / this.simulation.frames)} %`;
+      line.textContent = say("Simulating … {share} %", {share: Math.floor(100 * this.simulated / this.simulation.frames)});
     } else {
       this.checksum = this.core.checksum(kPlayed);
       const isSame = this.record?.motion === this.checksum;
-      const words = isSame ? " – the clip’s own, bit for bit" : ` – not the clip’s, ${this.record?.motion}`;
-      line.textContent = `Checksum of this motion: ${this.checksum}${this.record ? words : ""}`;
+      const words = isSame ? say("the clip’s own, bit for bit") : say("not the clip’s, {motion}", {motion: this.record?.motion});
+      line.textContent = say("Checksum of this motion: {motion}", {motion: this.checksum}) + (this.record ? " – " + words : "");
       line.dataset.same = String(isSame);
     }
   }
@@ -227,7 +227,7 @@ class Player {
   #setPlaying(isPlaying) {
     if (isPlaying) this.clock.play();
     else this.clock.pause();
-    const button = this.find(".rb-play"), word = isPlaying ? "Pause" : "Play";
+    const button = this.find(".rb-play"), word = isPlaying ? say("Pause") : say("Play");
     button.dataset.state = isPlaying ? "playing" : "paused";
     button.querySelector(".rb-word").textContent = word;
     this.redraw();
@@ -280,7 +280,7 @@ class Player {
       return;
     }
     const isExact = choice === "exact";
-    const other = isExact ? one.withExactBook() : one.withSecondBook("second");
+    const other = isExact ? one.withExactBook() : one.withSecondBook(say("second"));
     if (this.apply(other)) this.edit(isExact ? 0 : 1);
   }
 
@@ -317,7 +317,7 @@ class Player {
   /** Proves a clip and plays its scene, or plays a dropped scene. A later file takes this one's place. */
   async open(file) {
     const job = this.job = {}, edits = this.edits, isWanted = () => this.job === job;
-    this.announcer.show(`Reading ${file.name} …`);
+    this.announcer.show(say("Reading {file} …", {file: file.name}));
     try {
       if (/\.toml$/i.test(file.name)) await this.#openScene(file, isWanted);
       else if (isThing(file.name)) await this.#openThing(file, isWanted);
@@ -331,13 +331,13 @@ class Player {
   }
 
   async #openScene(file, isWanted) {
-    if (file.size > this.core.words.longestScene) throw new SceneError("it is longer than 32 KiB, the limit for a scene");
+    if (file.size > this.core.words.longestScene) throw new SceneError(say("it is longer than 32 KiB, the limit for a scene"));
     const text = await readable(file.name, () => file.text());
     if (isWanted()) this.load(text, {isPlaying: this.mayMove});
   }
 
   async #openThing(file, isWanted) {
-    if (file.size > kLargestThing) throw new SceneError("it is longer than 1 MB, the limit here; rotatebook render takes it");
+    if (file.size > kLargestThing) throw new SceneError(say("it is longer than 1 MB, the limit here; rotatebook render takes it"));
     const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
     if (!isWanted()) return;
     const before = this.things ?? [], problems = [];
@@ -362,13 +362,13 @@ class Player {
 
   async #openClip(file, isWanted, edits) {
     // Both take the same slot.
-    if (this.saver.isSaving) throw new RecordError(`${file.name} has to wait: a clip is being saved. Drop it again once that is done or cancelled.`);
-    const say = (share) => this.announcer.show(`Simulating ${file.name} again … ${Math.floor(100 * share)} %`);
-    const proof = await proveClip(this.core, file, say, isWanted);
+    if (this.saver.isSaving) throw new RecordError(say("{file} has to wait: a clip is being saved. Drop it again once that is done or cancelled.", {file: file.name}));
+    const tell = (share) => this.announcer.show(say("Simulating {file} again … {share} %", {file: file.name, share: Math.floor(100 * share)}));
+    const proof = await proveClip(this.core, file, tell, isWanted);
     if (!proof || !isWanted()) return;
     // Nothing that was done meanwhile is lost.
     const isPlayed = this.edits === edits && this.load(proof.record.text, {record: proof.record, isPlaying: this.mayMove});
-    const aside = isPlayed ? "" : " You went on meanwhile, so it isn’t played; drop it again to play it.";
+    const aside = isPlayed ? "" : " " + say("You went on meanwhile, so it isn’t played; drop it again to play it.");
     this.announcer.show(proof.words + aside, proof.isProved ? "good" : "bad");
   }
 }

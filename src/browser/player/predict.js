@@ -3,49 +3,49 @@
 const kCommonStart = "clip.duration = 14\noverlay.show = [\"omega\"]\n";
 const kTasks = [
   {
-    question: "Three books, each spun about another axis, with the same tiny push. Which of these will tumble?",
-    answers: ["about y, its height", "about x, its width", "about z, its thickness"], right: 1, arePanels: true, until: 4,
-    see: "The one about x, its middle axis. About the other two the push stays small.",
-    scene: `title = "Which of these will tumble?"
+    question: say("Three books, each spun about another axis, with the same tiny push. Which of these will tumble?"),
+    answers: [say("about y, its height"), say("about x, its width"), say("about z, its thickness")], right: 1, arePanels: true, until: 4,
+    see: say("The one about x, its middle axis. About the other two the push stays small."),
+    scene: `title = "${say("Which of these will tumble?")}"
 ${kCommonStart}simulation.model = "exact"
 [[panel]]
-label = "y, its height"
+label = "${say("y, its height")}"
 initial = { angular_velocity = [0, 4, 0], tilt = [0.014, "x"] }
 [[panel]]
-label = "x, its width"
+label = "${say("x, its width")}"
 initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
 [[panel]]
-label = "z, its thickness"
+label = "${say("z, its thickness")}"
 initial = { angular_velocity = [0, 0, 4], tilt = [0.014, "x"] }
 `,
   },
   {
-    question: "This book turns over after two seconds. With a tilt ten times smaller, it will …",
-    answers: ["never turn over", "turn over a second later", "turn over ten times later"], right: 1, until: 5,
-    see: "A second later: the tilt grows by the same factor each second, however small it was.",
-    scene: `title = "A tilt ten times smaller"
+    question: say("This book turns over after two seconds. With a tilt ten times smaller, it will …"),
+    answers: [say("never turn over"), say("turn over a second later"), say("turn over ten times later")], right: 1, until: 5,
+    see: say("A second later: the tilt grows by the same factor each second, however small it was."),
+    scene: `title = "${say("A tilt ten times smaller")}"
 ${kCommonStart}simulation.model = "exact"
 initial.angular_velocity = [4, 0, 0]
 [[panel]]
-label = "tilt 0.014"
+label = "${say("tilt 0.014")}"
 initial.tilt = [0.014, "z"]
 [[panel]]
-label = "tilt 0.0014"
+label = "${say("tilt 0.0014")}"
 initial.tilt = [0.0014, "z"]
 `,
   },
   {
-    question: "The computer takes steps. With steps ten times longer, the same book will …",
-    answers: ["move the same", "turn over at other times", "stop"], right: 1, until: 12,
-    see: "At other times: each step makes a small error, and this motion makes small errors grow.",
-    scene: `title = "A step ten times longer"
+    question: say("The computer takes steps. With steps ten times longer, the same book will …"),
+    answers: [say("move the same"), say("turn over at other times"), say("stop")], right: 1, until: 12,
+    see: say("At other times: each step makes a small error, and this motion makes small errors grow."),
+    scene: `title = "${say("A step ten times longer")}"
 ${kCommonStart}simulation = { model = "quaternion", integrator = "euler" }
 initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
 [[panel]]
-label = "60 steps a picture"
+label = "${say("60 steps a picture")}"
 simulation.substeps = 60
 [[panel]]
-label = "6 steps a picture"
+label = "${say("6 steps a picture")}"
 simulation.substeps = 6
 `,
   },
@@ -74,7 +74,7 @@ class Predict {
 
   #show(text, buttons) {
     this.text.textContent = text;
-    const close = make("button", {type: "button", className: "rb-close"}, "Close");
+    const close = make("button", {type: "button", className: "rb-close"}, say("Close"));
     close.addEventListener("click", () => this.close());
     this.answers.replaceChildren(...buttons.map(([words, action]) => {
       const button = make("button", {type: "button"}, words);
@@ -90,7 +90,7 @@ class Predict {
   /** Somebody wants to see before the answer. */
   insist() {
     this.text.focus({preventScroll: true});
-    this.player.announcer.announce("First choose an answer.");
+    this.player.announcer.announce(say("First choose an answer."));
   }
 
   /** A cover was clicked: an answer, where the answers are the books. */
@@ -100,7 +100,7 @@ class Predict {
 
   choose(answer) {
     this.chosen = answer;
-    this.#show(`You said: ${this.current.answers[answer]}. Now see …`, []);
+    this.#show(say("You said: {answer}. Now see …", {answer: this.current.answers[answer]}), []);
     this.player.start();
   }
 
@@ -109,7 +109,7 @@ class Predict {
     if (this.box.hidden || this.chosen === null || this.isAnswered || (time < this.current.until && !isEnd)) return;
     this.isAnswered = true;
     const isRight = this.chosen === this.current.right;
-    this.#show(`${isRight ? "Right." : "Not quite."} ${this.current.see}`, [[this.task + 1 < kTasks.length ? "Next question" : "From the first", () => this.next()]]);
+    this.#show(`${isRight ? say("Right.") : say("Not quite.")} ${this.current.see}`, [[this.task + 1 < kTasks.length ? say("Next question") : say("From the first"), () => this.next()]]);
     this.player.announcer.announce(this.text.textContent);
   }
 

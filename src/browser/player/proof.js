@@ -26,14 +26,14 @@ async function simulateToEnd(core, slot, progress, isWanted) {
 /** Returns the words of the comparison. */
 function verdict(core, file, record, motion) {
   if (motion === record.motion) {
-    const pictures = record.isOfBrowser ? "The clip’s pictures are a browser’s own, which can’t be compared." :
-      "The clip’s pictures weren’t compared: rotatebook verify does that.";
-    return `Motion proved: simulated again here, it is that of ${file.name}’s record bit for bit. ${pictures} Checksum ${motion}.`;
+    const pictures = record.isOfBrowser ? say("The clip’s pictures are a browser’s own, which can’t be compared.") :
+      say("The clip’s pictures weren’t compared: rotatebook verify does that.");
+    return say("Motion proved: simulated again here, it is that of {file}’s record bit for bit. {pictures} Checksum {motion}.", {file: file.name, pictures, motion});
   }
   const versions = record.program === core.words.version ? "" :
-    ` The clip was made by rotatebook ${record.program}; this page is of ${core.words.version}.`;
-  return `The motion differs: ${file.name} says that the checksum of its motion is ${record.motion}; its scene, simulated again here, ` +
-    `gives ${motion}.${versions}`;
+    " " + say("The clip was made by rotatebook {program}; this page is of {version}.", {program: record.program, version: core.words.version});
+  return say("The motion differs: {file} says that the checksum of its motion is {stated}; its scene, simulated again here, gives {motion}.",
+    {file: file.name, stated: record.motion, motion}) + versions;
 }
 
 /**

@@ -13,7 +13,7 @@ async function readRecord(core, blob, isWanted = () => true) {
   let text = "";
   for (core.beginClip(blob.size); text === "";) {
     const offset = core.clipOffset, piece = blob.slice(offset, offset + kRecordPiece);
-    const bytes = await readable(blob.name ?? "The file", () => piece.arrayBuffer());
+    const bytes = await readable(blob.name ?? say("The file"), () => piece.arrayBuffer());
     if (!isWanted()) return null;
     text = core.recordText(new Uint8Array(bytes));
   }
@@ -23,8 +23,8 @@ async function readRecord(core, blob, isWanted = () => true) {
 function parseRecord(text) {
   const value = (name) => new RegExp("^# " + name + ": (.*)$", "m").exec(text)?.[1] ?? "";
   const origin = /^# Made by rotatebook (.*?) from the scene (.*)$/m.exec(text);
-  if (!origin) throw new RecordError("The clip’s record is damaged: it doesn’t name its scene.");
+  if (!origin) throw new RecordError(say("The clip’s record is damaged: it doesn’t name its scene."));
   const motion = value("Motion");
-  if (!motion) throw new RecordError("The clip’s record has no checksum of its motion.");
+  if (!motion) throw new RecordError(say("The clip’s record has no checksum of its motion."));
   return {program: origin[1], scene: origin[2], motion, frames: value("Frames"), isOfBrowser: value("Renderer").startsWith(kBrowserRenderer), text};
 }

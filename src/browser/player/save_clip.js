@@ -56,14 +56,14 @@ class ClipSaver {
     const job = this.job = {isWanted: () => this.job === job}, {announcer} = this.player;
     announcer.show("");
     this.player.job = job;  // A clip that is being proved gives up its place.
-    this.#show(0, filled("Saving the clip …"));
+    this.#show(0, say("Saving the clip …"));
     this.row.hidden = false;
     this.button.setAttribute("aria-disabled", "true");
     try {
       await this.#save(job);
-      announcer.show(...(job.isWanted() ? [job.words, "good"] : [filled("The clip isn’t saved: cancelled.")]));
+      announcer.show(...(job.isWanted() ? [job.words, "good"] : [say("The clip isn’t saved: cancelled.")]));
     } catch (error) {
-      announcer.show(filled("The clip isn’t saved: {problem}", {problem: error.message}), "bad");
+      announcer.show(say("The clip isn’t saved: {problem}", {problem: error.message}), "bad");
       if (!(error instanceof ClipError || error instanceof SceneError)) throw error;
     } finally {
       job.file?.close();
@@ -91,14 +91,14 @@ class ClipSaver {
     for (let frame = 0; frame < frames; ++frame) {
       picture.draw(frame);
       await file.add(frame);
-      this.#show((frame + 1) / frames, filled("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * (frame + 1) / frames)}));
+      this.#show((frame + 1) / frames, say("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * (frame + 1) / frames)}));
       await gap();
       if (!job.isWanted()) return;
     }
     const blob = await file.finish(), name = `${kClipName}.${file.ending}`;
     if (!job.isWanted()) return;
     saveBlob(blob, name);
-    job.words = filled("Saved {name}: {frames} pictures of {width}x{height}, {kind}, with the record of its motion. Drop it here to prove it.",
+    job.words = say("Saved {name}: {frames} pictures of {width}x{height}, {kind}, with the record of its motion. Drop it here to prove it.",
       {name, frames, width: size[0], height: size[1], kind: file.kind});
   }
 
@@ -110,7 +110,7 @@ class ClipSaver {
     const size = savedSize(player.scene.explicit.clip.size);
     tree.clip = {...tree.clip, size};
     const text = core.textOf(tree);
-    const progress = (share) => this.#show(0, filled("Simulating … {percent} %", {percent: Math.floor(100 * share)}));
+    const progress = (share) => this.#show(0, say("Simulating … {share} %", {share: Math.floor(100 * share)}));
     const ghosts = ghostText === null ? [] : await ghostSamples(core, ghostText, progress, isWanted);
     if (!ghosts) return null;
     const read = core.read(kProof, text);

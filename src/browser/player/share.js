@@ -11,7 +11,7 @@ async function throughStream(bytes, stream, limit = Infinity) {
   let length = 0;
   for (let next = await reader.read(); !next.done; next = await reader.read()) {
     length += next.value.length;
-    if (length > limit) throw new Error("it is longer than a scene may be");
+    if (length > limit) throw new Error(say("it is longer than a scene may be"));
     parts.push(next.value);
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
@@ -41,7 +41,7 @@ async function textOfHash(hash, longest) {
     const bytes = await throughStream(bytesOfBase64(hash.slice(kHash.length)), new DecompressionStream("deflate-raw"), longest);
     return new TextDecoder("utf-8", {fatal: true}).decode(bytes);
   } catch (error) {
-    throw new Error("The scene in this link can't be read: it is damaged or cut off.", {cause: error});
+    throw new Error(say("The scene in this link can’t be read: it is damaged or cut off."), {cause: error});
   }
 }
 
@@ -69,7 +69,7 @@ async function readable(name, read) {
   try {
     return await read();
   } catch {
-    throw new RecordError(`${name} can’t be read: it is a folder, or gone.`);
+    throw new RecordError(say("{file} can’t be read: it is a folder, or gone.", {file: name}));
   }
 }
 

@@ -136,6 +136,20 @@ std::string listed(const std::vector<std::string>& parts, std::string_view lastW
   return text;
 }
 
+std::string filledIn(std::string_view text, const std::vector<NamedText>& values) {
+  std::string filled;
+  while (!text.empty()) {
+    const auto begins = [&](const NamedText& one) {
+      return text.starts_with("{" + std::string(one.first) + "}");
+    };
+    const auto value = std::ranges::find_if(values, begins);
+    const bool isText = value == values.end();
+    filled += isText ? std::string(text.substr(0, 1)) : value->second;
+    text.remove_prefix(isText ? 1 : value->first.size() + 2);
+  }
+  return filled;
+}
+
 std::string countText(std::int64_t count, std::string_view one) {
   return std::to_string(count) + ' ' + std::string(one) + (count == 1 ? "" : "s");
 }

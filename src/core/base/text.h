@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rotatebook {
@@ -33,6 +34,12 @@ std::string listed(const std::vector<std::string>& parts, std::string_view lastW
 
 /// Returns `text` without the byte order mark that it may begin with.
 std::string_view withoutByteOrderMark(std::string_view text);
+
+/// A name and its value.
+using NamedText = std::pair<std::string_view, std::string>;
+
+/// Returns `text` with each value in the place of its "{name}".
+std::string filledIn(std::string_view text, const std::vector<NamedText>& values);
 
 /// Returns "1 frame" or "2 frames", for `one` "frame".
 std::string countText(std::int64_t count, std::string_view one);

@@ -17,7 +17,7 @@ namespace {
 constexpr int kMaxDigits = 17;
 
 struct LabelledBound {
-  const char* label;
+  std::string text;
   std::optional<double> bound;
 };
 
@@ -41,35 +41,41 @@ double numberIn(const std::string& text) {
 
 }  // namespace
 
-std::string expectedText(const Expectation& expectation) {
-  const std::array<LabelledBound, 4> bounds{{{"at least ", expectation.min},
-                                             {"at most ", expectation.max},
-                                             {"rises to ", expectation.risesTo},
-                                             {"falls to ", expectation.fallsTo}}};
-  return joinedOf(bounds, [](const LabelledBound& one) {
-    return one.bound ? one.label + shortestText(*one.bound) : "";
+std::string expectedText(const Expectation& expectation, const Say& say) {
+  const std::array<LabelledBound, 4> bounds{{{say("at least {number}"), expectation.min},
+                                             {say("at most {number}"), expectation.max},
+                                             {say("rises to {number}"), expectation.risesTo},
+                                             {say("falls to {number}"), expectation.fallsTo}}};
+  return joinedOf(bounds, [&](const LabelledBound& one) {
+    return one.bound ? filledIn(one.text, {{"number", shortestText(*one.bound)}}) : "";
   });
 }
 
-std::string windowText(const Expectation& expectation) {
+std::string windowText(const Expectation& expectation, const Say& say) {
+  const auto part = [](const std::string& words, double time) {
+    return " " + filledIn(words, {{"time", shortestText(time)}});
+  };
   std::string text;
-  if (expectation.from > 0) text += " from " + shortestText(expectation.from) + " s";
-  if (std::isfinite(expectation.to)) text += " to " + shortestText(expectation.to) + " s";
+  if (expectation.from > 0) text += part(say("from {time} s"), expectation.from);
+  if (std::isfinite(expectation.to)) text += part(say("to {time} s"), expectation.to);
   return text;
 }
 
-std::string measuredText(const ExpectationResult& result, int digits) {
-  if (std::isnan(result.lowest)) return "nothing: the motion has no sample there";
-  if (std::isinf(result.lowest)) return "no divergence";
-  const std::string lowest = measuredText(result.lowest, result.expectation, digits);
-  const std::string highest = measuredText(result.highest, result.expectation, digits);
-  const std::string range = lowest == highest ? lowest : lowest + " to " + highest;
+std::string measuredText(const ExpectationResult& result, int digits, const Say& say) {
+  if (std::isnan(result.lowest)) return say("nothing: the motion has no sample there");
+  if (std::isinf(result.lowest)) return say("no divergence");
+  const std::string lowest = measuredText(result.lowest, result.expectation, digits, say);
+  const std::string highest = measuredText(result.highest, result.expectation, digits, say);
+  const std::string range =
+      lowest == highest ? lowest
+                        : filledIn(say("{low} to {high}"), {{"low", lowest}, {"high", highest}});
   if (!result.endsEarly) return range;
-  return range + ", but the motion ends at " + roundedText(*result.endsEarly, digits) + " s";
+  return filledIn(say("{range}, but the motion ends at {time} s"),
+                  {{"range", range}, {"time", roundedText(*result.endsEarly, digits)}});
 }
 
-std::string measuredText(double value, const Expectation& bounds, int digits) {
-  if (std::isnan(value)) return "nothing";
+std::string measuredText(double value, const Expectation& bounds, int digits, const Say& say) {
+  if (std::isnan(value)) return say("nothing");
   std::string text = roundedText(value, digits);
   while (digits < kMaxDigits && !meetsSameBounds(numberIn(text), value, bounds)) {
     text = roundedText(value, ++digits);

@@ -7,25 +7,20 @@
 #include <string>
 #include <string_view>
 
+#include "base/document/value_reader.h"
+
 namespace rotatebook::scene {
 
 /// A word or phrase that pictures show. Each has a row in word_list.inc.
 enum class Word {
-#define ROTATEBOOK_WORD(enumerator, english, german) enumerator,
+#define ROTATEBOOK_WORD(enumerator, english) enumerator,
 #include "scene/word_list.inc"
 #undef ROTATEBOOK_WORD
 };
 
 /// The words in English, in the order of Word.
 inline constexpr std::array kEnglishWords{
-#define ROTATEBOOK_WORD(enumerator, english, german) std::string_view(english),
-#include "scene/word_list.inc"
-#undef ROTATEBOOK_WORD
-};
-
-/// The words in German, likewise.
-inline constexpr std::array kGermanWords{
-#define ROTATEBOOK_WORD(enumerator, english, german) std::string_view(german),
+#define ROTATEBOOK_WORD(enumerator, english) std::string_view(english),
 #include "scene/word_list.inc"
 #undef ROTATEBOOK_WORD
 };
@@ -57,8 +52,14 @@ struct Words {
   friend bool operator==(const Words&, const Words&) = default;
 };
 
-inline Words germanWords() {
-  return {Words::textsOf(kGermanWords), ","};
-}
+/// The languages that ship.
+inline constexpr std::array<std::string_view, 2> kLanguages{"english", "german"};
+
+/// Returns the German words of assets/words/german.toml.
+Words germanWords();
+
+/// Reads the words and the decimal mark of a table, by their English; those that it lacks are
+/// English. A list of words has tables for the page, too (page/language.h), which are left to it.
+Words readWords(const document::ValueReader& table);
 
 }  // namespace rotatebook::scene

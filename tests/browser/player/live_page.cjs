@@ -58,7 +58,8 @@ function render(name, text, format = "mp4") {
 
 /** Loads scripts of the player; returns what of theirs is named. */
 function playerScripts(files, names) {
-  const text = files.map((file) => fs.readFileSync(path.join(kRoot, "src/browser/player", file + ".js"), "utf8")).join("\n");
+  const paths = ["assets/page/words.js", ...files.map((file) => `src/browser/player/${file}.js`)];
+  const text = paths.map((file) => fs.readFileSync(path.join(kRoot, file), "utf8")).join("\n");
   return new Function(`${text}\nreturn {${names.join(", ")}};`)();
 }
 

@@ -17,7 +17,7 @@ TomlNode* valueOf(TomlNode* node, std::string_view key) {
 std::string textOf(const std::filesystem::path& file, const std::string& location,
                    const ReadNamedFile& readNamedFile) {
   try {
-    return readNamedFile(file, kLongestToml);
+    return readNamedFile(file, kLongestWords);
   } catch (const InputError& error) {
     failAt(location, error.what());
   }
@@ -40,7 +40,8 @@ std::filesystem::path includeTable(TomlNode& root, std::string_view section, std
   if (name.is_absolute())
     failAt(node->location, shown + ", which must be relative to the scene's folder");
   const std::filesystem::path file = folder / name;
-  *node = parseToml(textOf(name, node->location, readNamedFile), oneLine(file.string()));
+  *node =
+      parseToml(textOf(name, node->location, readNamedFile), oneLine(file.string()), kLongestWords);
   return file;
 }
 

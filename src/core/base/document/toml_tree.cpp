@@ -74,10 +74,10 @@ std::string positionIn(const std::string& file, const toml::source_region& regio
   return file + ":" + std::to_string(region.begin.line) + ":" + std::to_string(region.begin.column);
 }
 
-void refuseLong(std::string_view text, const std::string& location) {
-  if (text.size() <= kLongestToml) return;
-  failAt(location,
-         "longer than " + std::to_string(kLongestToml / 1024) + " KiB, the limit for a scene");
+void refuseLong(std::string_view text, const std::string& location, std::size_t most) {
+  if (text.size() <= most) return;
+  failAt(location, "longer than " + std::to_string(most / 1024) + " KiB, the limit for " +
+                       (most == kLongestWords ? "a list of words" : "a scene"));
 }
 
 std::string describeText(const std::string& text) {
@@ -127,8 +127,8 @@ void failAt(const std::string& location, const std::string& problem) {
   throw DocumentError({{location, problem, {}, {}}});
 }
 
-TomlNode parseToml(std::string_view text, const std::string& file) {
-  refuseLong(text, file);
+TomlNode parseToml(std::string_view text, const std::string& file, std::size_t most) {
+  refuseLong(text, file, most);
   const LocationOf locationOf = [&file](const auto& region) { return positionIn(file, region); };
   try {
     return nodeFrom(toml::parse(text, std::string_view(file)), locationOf, 0);
@@ -140,7 +140,7 @@ TomlNode parseToml(std::string_view text, const std::string& file) {
 }
 
 std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& location) {
-  refuseLong(text, location);
+  refuseLong(text, location, kLongestToml);
   const LocationOf locationOf = [&location](const auto&) { return location; };
   try {
     const toml::table table = toml::parse("value = " + std::string(text));

@@ -34,13 +34,15 @@ struct TomlEntry {
 
 /// Longest text that is parsed: ten times what any scene needs. [bytes]
 inline constexpr std::size_t kLongestToml = 32'768;
+/// Likewise of a list of words.
+inline constexpr std::size_t kLongestWords = 8 * kLongestToml;
 
 /// Throws InputError "LOCATION: PROBLEM".
 [[noreturn]] void failAt(const std::string& location, const std::string& problem);
 
 /// Returns the tree of a whole text; its root is a table. Throws InputError with the position and a
-/// remedy for what isn't TOML; also for what is longer than kLongestToml or nested too deeply.
-TomlNode parseToml(std::string_view text, const std::string& file);
+/// remedy for what isn't TOML; also for what is longer than `most` or nested too deeply.
+TomlNode parseToml(std::string_view text, const std::string& file, std::size_t most = kLongestToml);
 
 /// Returns the single value in `text`, or nothing if it isn't one; every part of it has `location`.
 /// Throws InputError if it is longer than kLongestToml or nested too deeply.

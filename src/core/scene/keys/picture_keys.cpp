@@ -101,23 +101,10 @@ std::string overlaysText(const std::vector<Overlay>& overlays) {
   return listText(overlays, [](Overlay overlay) { return quotedName(kOverlays, overlay); });
 }
 
-constexpr std::array<std::string_view, 2> kLanguages{"english", "german"};
 constexpr std::string_view kDecimalMark = "decimal_mark";
-/// Point, comma, middle dot and the Arabic mark: with any other, a number would read as another.
-constexpr std::array<std::string_view, 4> kDecimalMarks{".", ",", "\u00b7", "\u066b"};
 constexpr const char* kExpectedWords =
     "\"english\", \"german\", a table of words, such as { \"Flips\" = \"Retournements\" }, or a "
     "TOML file of one, such as \"french.words\"";
-constexpr std::size_t kLongestWord = 60;
-
-std::string decimalMarkFrom(const ValueReader& value) {
-  const std::string mark = value.text(kLongestWord);
-  if (std::ranges::count(kDecimalMarks, mark) > 0) return mark;
-  value.fail(value.name() + " must be " +
-             joinedOf(kDecimalMarks, [](std::string_view one) { return tomlString(one); }) +
-             ", not " + describe(value.node()));
-}
-
 Words wordsFrom(const ValueReader& value) {
   if (const auto* language = std::get_if<std::string>(&value.node().value)) {
     if (*language == kLanguages[0]) return {};
@@ -126,18 +113,7 @@ Words wordsFrom(const ValueReader& value) {
                didYouMean(*language, kLanguages));
   }
   if (!std::holds_alternative<TomlNode::Table>(value.node().value)) value.mismatch(kExpectedWords);
-  Words words;
-  const auto fieldOf = [](std::string_view key, std::string& into) {
-    return document::Field{key,
-                           [&into](const ValueReader& word) { into = word.text(kLongestWord); }};
-  };
-  std::vector<document::Field> fields{
-      {kDecimalMark, [&](const ValueReader& mark) { words.decimalMark = decimalMarkFrom(mark); }}};
-  for (std::size_t i = 0; i < kEnglishWords.size(); ++i) {
-    fields.push_back(fieldOf(kEnglishWords[i], words.texts[i]));
-  }
-  value.readTable(fields);
-  return words;
+  return readWords(value);
 }
 
 std::string wordsText(const Words& words) {

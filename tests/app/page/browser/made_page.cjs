@@ -119,6 +119,8 @@ function makePage() {
   fs.writeFileSync(fragment, "<h2>The live book</h2>");
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut, "--live", fragment);
   fs.renameSync(path.join(kOut, "index.html"), path.join(kOut, "live.html"));
+  rotatebook("page", ...Object.keys(kScenes), "-o", kOut, "--no-thumbnails", "--language", "german");
+  fs.renameSync(path.join(kOut, "index.html"), path.join(kOut, "german.html"));
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut);
   render("moves.toml", "-o", kMoving, "--no-png", "--format", "gif");
   rotatebook("page", "moves.toml", "-o", kMoving);
@@ -139,10 +141,10 @@ async function newPage({viewport = kDesktop, ...options}) {
 }
 
 /**
- * Opens the page, or that with a `live` book, or that at an `address`, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
+ * Opens the page, or another `name` of it, or that at an `address`, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
  * browser complains of or asks a network for.
  */
-async function open(options = {}, {place = "", script = null, live = false, address = ""} = {}) {
+async function open(options = {}, {place = "", script = null, name = "index.html", address = ""} = {}) {
   const page = await newPage(options);
   if (script) await page.addInitScript(script);
   page.setDefaultTimeout(kWait);
@@ -154,7 +156,7 @@ async function open(options = {}, {place = "", script = null, live = false, addr
     if (request.failure()?.errorText !== "net::ERR_ABORTED") problems.push("failed: " + request.url());
   });
   page.on("request", (request) => { if (!/^(file|data):/.test(request.url()) && !(address && request.url().startsWith(address))) problems.push("network: " + request.url()); });
-  await page.goto((address || pathToFileURL(path.join(kOut, live ? "live.html" : "index.html")).href) + place);
+  await page.goto((address || pathToFileURL(path.join(kOut, name)).href) + place);
   await left?.close();
   left = null;
   const close = async () => {

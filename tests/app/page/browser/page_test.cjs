@@ -27,6 +27,29 @@ async function curvesDrawn(plot) {
 }
 
 describe("the page", () => {
+  test("says in German what its scripts and templates say, and writes numbers so", async () => {
+    const {page, problems, close} = await open({}, {name: "german.html"});
+    const clip = await openClip(page, "turns");
+    const list = JSON.parse(await page.locator("script.words").textContent());
+    const said = await page.evaluate(() => {
+      const texts = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+      for (let node = walker.nextNode(); node; node = walker.nextNode()) {
+        if (!node.parentElement.closest("script, style, pre")) texts.push(node.data.trim());
+      }
+      for (const name of ["aria-label", "title", "aria-valuetext", "alt", "label"]) {
+        for (const element of document.body.querySelectorAll(`[${name}]`)) texts.push(element.getAttribute(name));
+      }
+      return texts;
+    });
+    assert.deepEqual(said.filter((text) => text in list && !Object.values(list).includes(text)), []);
+    assert.equal(await clip.locator(".time").textContent(), "0,00 s · Bild 0");
+    assert.match(await clip.locator(".curves").first().getAttribute("aria-label"), /^Energie .* von 1 bis \d,\d+$/);
+    await clip.locator(".play").click();
+    assert.equal(await clip.locator(".play").getAttribute("aria-label"), "Anhalten");
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
   test("shows all figures in the overview, without a complaint and without a network", async () => {
     const {page, problems, close} = await open();
     assert.equal(await page.locator(".sheet li").count(), 6);

@@ -153,7 +153,7 @@ describe("the live book's place", () => {
   const kLive = () => { window.rotatebook = {play: (...what) => { window.played = what; }}; };
 
   test("takes every figure's scene, and the checksum in a clip's record", async () => {
-    const {page, close} = await open({}, {script: kLive, live: true});
+    const {page, close} = await open({}, {script: kLive, name: "live.html"});
     for (const [id, text, checksum] of [["bursts", /model = "particles"/, /^[0-9a-f]{32}$/], ["book", /title = "A book"/, /^null$/], ["steps", /\[study\]/, /^null$/]]) {
       await page.locator(`#${id} .toy button`).click();
       const [scene, motion] = await page.evaluate(() => window.played);
@@ -165,7 +165,7 @@ describe("the live book's place", () => {
   });
 
   test("has its buttons' room from the start, and waits until it is ready, or gives it up", async () => {
-    const {page, close} = await open({}, {live: true});
+    const {page, close} = await open({}, {name: "live.html"});
     const toy = page.locator("#bursts .toy"), button = toy.locator("button");
     assert.ok(await toy.isVisible());
     assert.ok(await button.isDisabled());

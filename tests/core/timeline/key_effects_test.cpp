@@ -34,6 +34,7 @@ const std::map<std::string, std::string> kOwnValues{
     {"simulation.remove_drift", "{ every = 7 }"},
     {"simulation.particles", "'equimomental'"},
     {"initial.tilt", "[0.3, 'y']"},
+    {"initial.attitude", "[0.9, 0.1, 0.2, 0.3]"},
     {"cue.N.at", "0.1"},
     {"cue.N.move", "{ orbit = 1 }"},
     {"clip.size", "[64, 36]"},

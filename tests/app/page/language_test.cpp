@@ -45,8 +45,14 @@ void addMatches(const std::string& text, const std::string& pattern, std::set<st
 
 /// The text nodes and what is said of elements in HTML.
 std::set<std::string> textsIn(std::string html) {
-  html = std::regex_replace(
-      html, std::regex("<(script|style|noscript|pre|code)\\b[^>]*>[^]*?</\\1>"), "<i>");
+  // No regular expression, whose depth would grow with a script's length.
+  for (const std::string tag : {"script", "style", "noscript", "pre", "code"}) {
+    for (std::size_t at = html.find("<" + tag); at != html.npos; at = html.find("<" + tag, at)) {
+      const std::size_t end = html.find("</" + tag + ">", at);
+      if (end == html.npos) break;
+      html.replace(at, end + tag.size() + 3 - at, "<i>");
+    }
+  }
   std::set<std::string> texts;
   addMatches(html, ">\\s*([^<>]*[^<>\\s])\\s*<", texts);
   addMatches(html, " (?:aria-label|aria-roledescription|title|alt|label)=\"([^\"]*)\"", texts);

@@ -1,6 +1,7 @@
 #include "bridge/scene_json.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,16 @@ std::string motionJson(const scene::Panel& panel) {
   return object.text();
 }
 
+/// Returns [[frame, text]] of the captions in time.
+std::string captionsJson(const scene::Scene& scene) {
+  std::vector<std::string> captions;
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    const std::optional<std::string>& text = scene.cues[shown.cue].text;
+    if (text) captions.push_back(jsonArray({std::to_string(shown.frame), jsonString(*text)}));
+  }
+  return jsonArray(captions);
+}
+
 }  // namespace
 
 std::string wordsJson() {
@@ -100,6 +111,7 @@ std::string sceneJson(const scene::Scene& scene) {
       .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .addNumber("interval", motions.front().simulation.timePerFrame)
       .add("motions", jsonArrayOf(motions, motionJson))
+      .add("captions", captionsJson(scene))
       .text();
 }
 

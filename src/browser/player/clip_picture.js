@@ -32,14 +32,13 @@ function wrapped(context, text, width) {
   return lines;
 }
 
-/** Returns the caption at a time [s]: the scene's, or the last of those in time, as far as they state a number. */
-function captionOf({caption = "", cue = []}, time) {
-  const past = cue.filter(({at, text}) => typeof at === "number" && at <= time && text !== undefined);
-  return past.length > 0 ? past[past.length - 1].text : caption;
+/** Returns the caption at a frame: the scene's, or the last of those in time, `captions`, as the core has them. */
+function captionAt(captions, caption, frame) {
+  return captions.reduce((shown, [from, text]) => (from <= frame ? text : shown), caption);
 }
 
 class ClipPicture {
-  /** `state`: as Stage.draw() takes it, with `book`, whose ball is shown; `materials`: {pictures, shaders}. */
+  /** `state`: as Stage.draw() takes it, with the clip's `frames`, and `book`, whose ball is shown; `materials`: {pictures, shaders}. */
   constructor(core, materials, size, state) {
     this.core = core;
     this.state = state;
@@ -59,11 +58,11 @@ class ClipPicture {
     if (stage.view.isLost) throw new ClipError(say("The graphics were interrupted; save the clip again."));
     context.drawImage(stage.picture, 0, 0);
     context.drawImage(stage.lines, 0, 0);
-    const time = this.core.numbers(kPlayed, 0, frame, [kSample.time])[0];
-    const bottom = scene.shows("caption") ? this.#drawCaption(scene.explicit.title ?? "", captionOf(scene.explicit, time)) : this.canvas.height;
+    const {title = "", caption = ""} = scene.explicit;
+    const bottom = scene.shows("caption") ? this.#drawCaption(title, captionAt(read.captions, caption, frame)) : this.canvas.height;
     if (scene.shows("polhode")) this.#drawBall(frame, bottom);
     if (read.motions.length > 1) this.#drawLabels(read.motions);
-    if (scene.shows("clock")) this.#drawClock(`t = ${seconds(time)}`, read.motions.length > 1, bottom);
+    if (scene.shows("clock")) this.#drawClock(this.#timeText(frame), read.motions.length > 1, bottom);
   }
 
   #write(text, x, y, size, {colour = "#f7f5ed", weight = 400, align = "left"} = {}) {
@@ -122,6 +121,13 @@ class ClipPicture {
       this.#write(label, x + 0.6 * size, y + 0.4 * size, size, {weight: 600, colour: kBookColours[i]});
       this.context.restore();
     });
+  }
+
+  /** Returns the time, and the speed of the clip where it isn't 1. */
+  #timeText(frame) {
+    const timeOf = (at) => this.core.numbers(kPlayed, 0, at, [kSample.time])[0], {rate} = this.state.clock;
+    const from = Math.min(frame, this.state.frames - 2), speed = from < 0 ? 1 : Number((rate * (timeOf(from + 1) - timeOf(from))).toPrecision(3));
+    return `t = ${seconds(timeOf(frame))}${speed === 1 ? "" : `  ${say.number(speed)}×`}`;
   }
 
   #drawClock(text, isShared, bottom) {

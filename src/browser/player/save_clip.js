@@ -91,7 +91,8 @@ class ClipSaver {
     for (let frame = 0; frame < frames; ++frame) {
       picture.draw(frame);
       await file.add(frame);
-      this.#show((frame + 1) / frames, say("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * (frame + 1) / frames)}));
+      const share = (frame + 1) / frames;
+      this.#show(share, say("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * share)}));
       await gap();
       if (!job.isWanted()) return;
     }
@@ -116,9 +117,9 @@ class ClipSaver {
     const read = core.read(kProof, text);
     if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
     const whole = core.sceneText(kProof), scene = new LiveScene(tree, core.treeOf(whole), text, core.words);
-    return {size, ghosts, text: whole, title: scene.explicit.title ?? "", rate: read.rate, frames: core.frames(kProof), motion: core.checksum(kProof),
-      version: core.words.version, state: {clock: {isPlaying: false, rate: read.rate[0] / read.rate[1]}, scene, read, orbit, book, hand: kNoHand, scales: scalesAtStart(core, kProof, read.motions),
-        simulation: {ghostFrames: ghosts[0]?.length ?? 0}}};
+    const frames = core.frames(kProof), clock = {isPlaying: false, rate: read.rate[0] / read.rate[1]}, simulation = {ghostFrames: ghosts[0]?.length ?? 0};
+    const state = {frames, clock, scene, read, orbit, book, simulation, hand: kNoHand, scales: scalesAtStart(core, kProof, read.motions)};
+    return {size, ghosts, frames, state, text: whole, title: scene.explicit.title ?? "", rate: read.rate, motion: core.checksum(kProof), version: core.words.version};
   }
 }
 

@@ -44,6 +44,17 @@ TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
   EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(with(kScene, "0.2", "0.3")));
 }
 
+TEST(Bridge, TellsTheCaptionsInTimeWithTheirFrames) {
+  const std::string text =
+      std::string(kScene) +
+      "[[cue]]\nat = 0.25\ntext = \"Once \\\"more\\\"\"\n[[cue]]\nat = 0.5\nhold = 0.1\n"
+      "[[cue]]\nat = \"flip 1\"\ntext = \"Over\"\n";
+  const std::string json = taken(rb_read(0, put(text)));
+  EXPECT_THAT(json, HasSubstr("\"captions\": [[15, \"Once \\\"more\\\"\"], ["));
+  EXPECT_THAT(json, HasSubstr(", \"Over\"]]"));
+  EXPECT_THAT(taken(rb_read(0, put(kScene))), HasSubstr("\"captions\": []"));
+}
+
 TEST(Bridge, ReadsRecordingsThatItWasGiven) {
   constexpr std::string_view kName = "a.csv";
   constexpr std::string_view kTable =

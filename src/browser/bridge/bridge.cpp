@@ -20,6 +20,7 @@
 #include "bridge/played_scene.h"
 #include "bridge/record_search.h"
 #include "bridge/scene_json.h"
+#include "bridge/why_numbers.h"
 #include "geometry/book_mesh.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
@@ -34,6 +35,7 @@ constexpr double kDepthAround = 6;
 
 alignas(16) std::array<char, kBufferSize> buffer;
 std::array<std::optional<PlayedScene>, kSlots> slots;
+std::map<std::pair<std::int32_t, std::int32_t>, PlayedForces> playedForces;  // by slot and motion
 std::string lastMessage;
 std::map<std::string, std::string> files;  // by name
 RecordSearch search{0};
@@ -178,6 +180,38 @@ std::array<double, kSampleNumbers> numbersOf(const physics::Sample& sample, bool
   return numbers;
 }
 
+/// Returns the sky that a camera sees which turns or moves; 0 of others.
+Eigen::Matrix4d skyOf(const PlayedScene& played, std::size_t motion, std::int32_t frame,
+                      const geometry::Camera& camera, const geometry::Screen& screen) {
+  if (!played.turns()) return Eigen::Matrix4d::Zero();
+  const physics::Sample& sample = played.samples(motion)[played.indexOf(motion, frame)];
+  return geometry::skyFromPicture(camera, screen,
+                                  played.frameOf(motion).fromWorld(sample).transpose());
+}
+
+/// Returns the address of the numbers that `make` returns, and how many there are.
+template <typename Make>
+const double* numbersFor(std::int32_t* count, const Make& make) {
+  static std::vector<double> numbers;
+  *count = 0;
+  return valueOr<const double*>(nullptr, [&]() -> const double* {
+    numbers = make();
+    *count = static_cast<std::int32_t>(numbers.size());
+    return numbers.data();
+  });
+}
+
+std::vector<double> forcesIn(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
+  const PlayedScene& played = in(slot);
+  const auto key = std::pair(slot, motion);
+  auto found = playedForces.find(key);
+  if (found == playedForces.end()) {
+    const PlayedForces made(played, static_cast<std::size_t>(motion));
+    found = playedForces.emplace(key, made).first;
+  }
+  return found->second.at(played, frame);
+}
+
 }  // namespace
 }  // namespace rotatebook::bridge
 
@@ -220,6 +254,7 @@ std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
     std::optional<PlayedScene> played;
     if (!keepsMotions) played.emplace(scene);
     std::string json = sceneJson(scene);
+    playedForces.clear();
     if (keepsMotions) {
       held->replace(std::move(scene));
     } else {
@@ -313,7 +348,7 @@ const std::uint32_t* rb_body_indices() {
 
 std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
                        float height, const double* orbit, double distance, float* matrix,
-                       float* eye) {
+                       float* eye, float* sky) {
   const geometry::Screen screen{pixels(width), pixels(height), 0};
   const auto index = static_cast<std::size_t>(motion);
   return valueOr(0, [&] {
@@ -325,6 +360,30 @@ std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t fram
     clipFromWorld.row(1) *= -1;  // The program's clip y points down.
     Eigen::Map<Eigen::Matrix4f>{matrix} = clipFromWorld.cast<float>();
     Eigen::Map<Eigen::Vector3f>{eye} = camera.position.cast<float>();
+    Eigen::Map<Eigen::Matrix4f>{sky} = skyOf(played, index, frame, camera, screen).cast<float>();
     return 1;
   });
+}
+
+const double* rb_forces(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                        std::int32_t* count) {
+  return numbersFor(count, [&] { return forcesIn(slot, motion, frame); });
+}
+
+const double* rb_ladder(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                        std::int32_t* count) {
+  return numbersFor(
+      count, [&] { return ladderNumbers(in(slot), static_cast<std::size_t>(motion), frame); });
+}
+
+const double* rb_poinsot(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                         std::int32_t trail, std::int32_t* count) {
+  return numbersFor(count, [&] {
+    return poinsotNumbers(in(slot), static_cast<std::size_t>(motion), frame, trail);
+  });
+}
+
+std::int32_t rb_spin(std::int32_t slot, std::int32_t motion) {
+  return answerOf(
+      [&] { return spinJson(in(slot).scene().motions.at(static_cast<std::size_t>(motion))); });
 }

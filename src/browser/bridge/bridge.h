@@ -137,12 +137,43 @@ const std::uint32_t* rb_body_indices();
 
 /// Writes to `matrix` (16 floats, column by column) the projection of world to clip space of the
 /// slot's camera as it is in `frame` for motion `motion`, with clip y up, for a picture of this
-/// shape; and to `eye` (3 floats) its position. `orbit` turns it by so many radians about its up
+/// shape; to `eye` (3 floats) its position; and to `sky` (16 floats) geometry::skyFromPicture() of
+/// a camera that turns or moves, 0 of others. `orbit` turns it by so many radians about its up
 /// direction and then about its right, and `distance` multiplies its distance from the target.
 /// Returns 1; 0 without writing anything if there is no such motion. A frame outside the clip is
 /// taken for the nearest, a side of the picture that is no number from 1 for 1.
 std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
                        float height, const double* orbit, double distance, float* matrix,
-                       float* eye);
+                       float* eye, float* sky);
+
+/// The numbers by which clips say why a body turns over, of motion `motion` in `frame`, along the
+/// axes of the slot's camera. Each function returns the address of `count[0]` doubles, valid until
+/// the next call; null, and 0 of them, if there is no such motion.
+///
+/// Forces on the body's masses: the one that has the longest arrow, then for each mass its place
+/// [m], what the body does to it, centrifugal, Coriolis and Euler force [N/kg], x y z each.
+const double* rb_forces(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                        std::int32_t* count);
+/// The ladder of energies. Heights are from 0, the largest moment's axis, to 1, the smallest's;
+/// angles of the momentum L to the axis that it circles are in half turns. The height, greatest
+/// angle and angle of now, and the energy above the middle axis' [%]; for the axes of the smallest,
+/// middle and largest moment the axis (0 to 2), 1 if it isn't one of the body's, height and
+/// greatest angle; then the outline, height and greatest angle from the top down.
+const double* rb_ladder(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                        std::int32_t* count);
+/// Samples before `frame` that rb_poinsot() looks back to at most.
+enum { kMaxTrail = 3600 };
+/// Poinsot's construction [m], none of a body at rest: the distance of the plane from the centre,
+/// the least and the greatest radius of the herpolhode, the ellipsoid's longest semi-axis; the
+/// centre; the map from the unit sphere to the ellipsoid, column by column; two unit vectors in the
+/// plane, and its normal; then, of `trail` samples before `frame` and of its own, the points of
+/// polhode and herpolhode, since the last nudge.
+const double* rb_poinsot(std::int32_t slot, std::int32_t motion, std::int32_t frame,
+                         std::int32_t trail, std::int32_t* count);
+/// Writes JSON of the spin that motion `motion` starts with, that of a rigid body: {"speed"
+/// [rad/s], "axis": "smallest", "middle" or "largest", the nearest, "offAxis": the angle to it
+/// [degrees], "circled": the axis that L circles, "isSteady", "hasEqualMoments", "flipInterval" and
+/// "firstFlip" [s] or null}. Positive length, or negative with the message.
+std::int32_t rb_spin(std::int32_t slot, std::int32_t motion);
 
 }  // extern "C"

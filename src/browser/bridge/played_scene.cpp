@@ -102,11 +102,26 @@ const physics::Trajectory& PlayedScene::trajectory(std::size_t motion) const {
   return whole_ ? whole_->trajectories()[motion] : simulation_->trajectory(motion);
 }
 
+const std::vector<physics::Sample>& PlayedScene::samples(std::size_t motion) const {
+  return trajectory(motion).samples;
+}
+
+std::size_t PlayedScene::indexOf(std::size_t motion, std::int64_t frame) const {
+  const auto last = static_cast<std::int64_t>(samples(motion).size()) - 1;
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(frame, 0, last));
+}
+
 physics::Sample PlayedScene::sample(std::size_t motion, std::int64_t frame) const {
-  const auto& samples = trajectory(motion).samples;
-  const auto last = static_cast<std::int64_t>(samples.size()) - 1;
-  const auto index = static_cast<std::size_t>(std::clamp<std::int64_t>(frame, 0, last));
-  return frames_[motion].seen(samples[index]);
+  return frames_[motion].seen(samples(motion)[indexOf(motion, frame)]);
+}
+
+bool PlayedScene::turns() const {
+  const auto isTurning = [](const scene::MotionFrame& frame) {
+    return frame.kind() == scene::ReferenceFrame::Turning;
+  };
+  return std::ranges::any_of(frames_, isTurning) ||
+         std::ranges::any_of(scene_.cues,
+                             [](const scene::Cue& cue) { return cue.move.has_value(); });
 }
 
 bool PlayedScene::isHeld(std::size_t motion, std::int64_t frame) const {

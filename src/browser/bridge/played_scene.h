@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <exception>
 #include <optional>
+#include <vector>
 
 #include "geometry/camera.h"
 #include "scene/scene.h"
@@ -48,6 +49,14 @@ class PlayedScene {
   /// far, if the motion has diverged before or isn't simulated up to there. Throws
   /// std::out_of_range if there is no such motion, as the two below do.
   physics::Sample sample(std::size_t motion, std::int64_t frame) const;
+  /// Returns the motion's samples so far, in the world, and the index of the one that `frame`
+  /// shows.
+  const std::vector<physics::Sample>& samples(std::size_t motion) const;
+  std::size_t indexOf(std::size_t motion, std::int64_t frame) const;
+  /// Returns the reference frame in which the camera sees a motion.
+  const scene::MotionFrame& frameOf(std::size_t motion) const { return frames_.at(motion); }
+  /// Returns whether the camera turns or moves before what stands still in the world.
+  bool turns() const;
   /// Returns whether a motion has diverged by `frame`.
   bool isHeld(std::size_t motion, std::int64_t frame) const;
   /// Returns the scene's camera in `frame`, or the nearest that there is, turned by `orbit`.

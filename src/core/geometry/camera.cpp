@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include <Eigen/LU>
+
 #include "base/elementary.h"
 
 namespace rotatebook::geometry {
@@ -79,6 +81,20 @@ Projection project(const Camera& camera, const physics::Cage& points, const Scre
   const PicturePoints onScreen = onPicture(clip, screen.width, screen.height);
   const PixelRect bounds = boundsOf(onScreen, screen.width, screen.height);
   return {clipFromWorld, bounds, hullBands(onScreen, bounds)};
+}
+
+Eigen::Matrix4d skyFromPicture(const Camera& camera, const Screen& screen,
+                               const Eigen::Matrix3d& worldFromFrame) {
+  // The depth range, which follows the points, isn't in the rows that are used
+  const Eigen::Matrix4d clip = project(camera, physics::Cage::Zero(), screen).clipFromWorld;
+  Eigen::Matrix3d clipFromDirection;
+  clipFromDirection << clip.block<2, 3>(0, 0), clip.block<1, 3>(3, 0);
+  const double shorter = std::min(screen.width, screen.height);
+  const Eigen::Vector3d clipFromPicture(shorter / screen.width, shorter / screen.height, 1);
+  Eigen::Matrix4d sky = Eigen::Matrix4d::Identity();
+  sky.topLeftCorner<3, 3>() =
+      worldFromFrame * clipFromDirection.inverse() * clipFromPicture.asDiagonal();
+  return sky;
 }
 
 }  // namespace rotatebook::geometry

@@ -47,4 +47,10 @@ Camera movedAway(Camera camera, double multiple);
 /// Projects `points` (world) onto `screen`.
 Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen);
 
+/// Returns what takes (x, y, 1, 1), from the middle of the picture in halves of its shorter side, y
+/// down, to the direction in the world that is seen there. `camera` is in a frame of reference from
+/// which `worldFromFrame` leads to the world.
+Eigen::Matrix4d skyFromPicture(const Camera& camera, const Screen& screen,
+                               const Eigen::Matrix3d& worldFromFrame);
+
 }  // namespace rotatebook::geometry

@@ -1,5 +1,7 @@
 #include "scene/body_forces.h"
 
+#include <algorithm>
+
 #include "body/shape.h"
 #include "physics/motion_start.h"
 #include "physics/particle_places.h"
@@ -38,6 +40,16 @@ std::vector<rigid::ForcesPerMass> BodyForces::at(const physics::Sample& seen) co
   for (const Eigen::Vector3d& place : places_)
     forces.push_back(rigid::forcesIn(frame, frameFromBody, body, place));
   return forces;
+}
+
+double BodyForces::largestAt(const physics::Sample& sample) const {
+  double largest = 0;
+  for (const rigid::ForcesPerMass& forces : at(frame_.seen(sample))) {
+    for (const Eigen::Vector3d* force :
+         {&forces.held, &forces.centrifugal, &forces.coriolis, &forces.euler})
+      largest = std::max(largest, force->stableNorm());
+  }
+  return largest;
 }
 
 }  // namespace rotatebook::scene

@@ -26,8 +26,6 @@ using scene::Word;
 
 constexpr double kLongestForce = 0.65;   // arrow [distances from the body's centre to its corners]
 constexpr double kShortestForce = 0.02;  // of a force that is drawn [likewise]
-// Forces above this many times the start's don't shorten the arrows of all others.
-constexpr double kLargestForce = 4;
 
 /// A kind of force: its name, its colour, and the frames in which there is one.
 struct ForceKind {
@@ -69,7 +67,6 @@ class Forces final : public DrawnOverlay {
   void draw(const View& view) override;
 
  private:
-  double largestOf(const physics::Sample& sample) const;
   void drawMass(const View& view, const BodyBox& box, std::size_t mass,
                 const ForcesPerMass& forces) const;
   void makeLegend(const Box& legend);
@@ -93,19 +90,10 @@ Forces::Forces(const OverlayContext& context, const Box& legend)
       reach_(context.scene.motions[0].body.size.norm() / 2),
       nothing_(hidingNothing(reach_)) {
   for (const physics::Sample& sample : context.trajectory.samples)
-    largest_ = std::max(largest_, largestOf(context.frame.seen(sample)));
-  const double first = largestOf(context.frame.seen(context.trajectory.samples.front()));
-  largest_ = std::min(largest_, kLargestForce * first);
+    largest_ = std::max(largest_, bodyForces_.largestAt(sample));
+  const double first = bodyForces_.largestAt(context.trajectory.samples.front());
+  largest_ = std::min(largest_, scene::kLargestForce * first);
   if (largest_ > 0 && !context.scene.textless) makeLegend(legend);
-}
-
-double Forces::largestOf(const physics::Sample& sample) const {
-  double largest = 0;
-  for (const ForcesPerMass& forces : bodyForces_.at(sample)) {
-    for (const ForceKind& kind : kinds_)
-      largest = std::max(largest, (forces.*kind.force).stableNorm());
-  }
-  return largest;
 }
 
 void Forces::makeLegend(const Box& legend) {

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <Eigen/LU>
-
 #include "embedded/render.h"
 
 namespace rotatebook::render {
@@ -51,21 +49,6 @@ void Backdrop::draw(const FrameTarget& target, const Eigen::Matrix4f& skyFromPic
   glBindVertexArray(noVertices.name());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   target.readBack({&everything, 1}, picture);
-}
-
-Eigen::Matrix4f skyFromPicture(const geometry::Camera& camera, const geometry::Screen& screen,
-                               const Eigen::Matrix3d& worldFromFrame) {
-  // The depth range, which follows the points, isn't in the rows that are used
-  const Eigen::Matrix4d clip =
-      geometry::project(camera, physics::Cage::Zero(), screen).clipFromWorld;
-  Eigen::Matrix3d clipFromDirection;
-  clipFromDirection << clip.block<2, 3>(0, 0), clip.block<1, 3>(3, 0);
-  const double shorter = std::min(screen.width, screen.height);
-  const Eigen::Vector3d clipFromPicture(shorter / screen.width, shorter / screen.height, 1);
-  Eigen::Matrix4d sky = Eigen::Matrix4d::Identity();
-  sky.topLeftCorner<3, 3>() =
-      worldFromFrame * clipFromDirection.inverse() * clipFromPicture.asDiagonal();
-  return sky.cast<float>();
 }
 
 }  // namespace rotatebook::render

@@ -21,8 +21,7 @@ class Backdrop {
   /// Returns whether it looks otherwise to a camera that turns.
   bool hasDirections() const { return shaders_.has_value(); }
   /// Draws over all of `picture` (Rgba8), by way of `target`, both as large as the drawing.
-  /// `skyFromPicture` takes (x, y, 1, 1), from the middle in halves of the picture's shorter side,
-  /// y down, to the direction in the world that is seen there; 0 for a camera that doesn't turn.
+  /// `skyFromPicture` is geometry::skyFromPicture(), 0 for a camera that doesn't turn.
   void draw(const FrameTarget& target, const Eigen::Matrix4f& skyFromPicture,
             image::Image& picture) const;
 
@@ -30,10 +29,5 @@ class Backdrop {
   const RenderSettings& settings_;
   std::optional<ShaderProgram> shaders_;  // Of the wall or the sky.
 };
-
-/// Returns `skyFromPicture` for a camera, in a frame of reference from which `worldFromFrame` leads
-/// to the world. Sizes are those of the drawing. [pixels]
-Eigen::Matrix4f skyFromPicture(const geometry::Camera& camera, const geometry::Screen& screen,
-                               const Eigen::Matrix3d& worldFromFrame);
 
 }  // namespace rotatebook::render

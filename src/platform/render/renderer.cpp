@@ -133,8 +133,8 @@ struct Renderer::Parts {
     if (!worldFromFrame || !backdrop.hasDirections()) return;
     if (drawn.background.width() == 0) drawn.background = background;
     const geometry::Screen screen{width, height, settings.supersample * settings.bottomRows};
-    backdrop.draw(target, skyFromPicture(settings.camera, screen, *worldFromFrame),
-                  drawn.background);
+    const Eigen::Matrix4d sky = geometry::skyFromPicture(settings.camera, screen, *worldFromFrame);
+    backdrop.draw(target, sky.cast<float>(), drawn.background);
   }
 
   std::string testFrame() const {

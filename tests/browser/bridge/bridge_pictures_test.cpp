@@ -32,10 +32,11 @@ TEST(Bridge, HasNoCameraOfWhatIsntThere) {
   readAnew(0, std::string(kScene) + "[camera]\nfollow = \"size\"\n");
   rb_advance(0, kAll, kAll);
   const std::array<double, 2> straight{0, 0};
-  std::array<float, 16> matrix{};
+  std::array<float, 16> matrix{}, sky{};
   std::array<float, 3> eye{};
   const auto camera = [&](std::int32_t slot, std::int32_t motion, std::int32_t frame, float width) {
-    return rb_camera(slot, motion, frame, width, 90, straight.data(), 1, matrix.data(), eye.data());
+    return rb_camera(slot, motion, frame, width, 90, straight.data(), 1, matrix.data(), eye.data(),
+                     sky.data());
   };
   EXPECT_EQ(camera(-1, 0, 0, 160), 0);
   EXPECT_EQ(camera(0, 1, 0, 160), 0);
@@ -54,9 +55,9 @@ TEST(Bridge, HasNoCameraOfWhatIsntThere) {
 TEST(Bridge, HasTheProgramsCamera) {
   read(0, kScene);
   const std::array<double, 2> straight{0, 0}, turned{0.3, 0};
-  std::array<float, 16> matrix{};
+  std::array<float, 16> matrix{}, sky{};
   std::array<float, 3> eye{};
-  rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data());
+  rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data(), sky.data());
   const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
   const geometry::Screen screen{1280, 720, 0};
   const physics::Cage cage = scene.motions[0].body.corners();
@@ -70,7 +71,7 @@ TEST(Bridge, HasTheProgramsCamera) {
   };
   EXPECT_LT(difference(), kBound);
   EXPECT_NEAR(eye[2], scene.cameraPosition.z(), kBound);
-  rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data());
+  rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data(), sky.data());
   EXPECT_GT(difference(), 0.01) << "of a camera that is turned";
 }
 

@@ -104,5 +104,23 @@ TEST(BodyForces, FollowAMotionThatLosesEnergy) {
   EXPECT_GT(lossless, 0.005);  // measured 0.0096
 }
 
+TEST(BodyForces, AreNoneLargerThanTheLargest) {
+  const Scene scene = sceneWith("");
+  const Motion& motion = scene.motions[0];
+  const physics::Sample sample = physics::simulate(motion, 60).samples.back();
+  for (const ReferenceFrame kind : {ReferenceFrame::World, ReferenceFrame::Body,
+                                    ReferenceFrame::Turning, ReferenceFrame::Momentum}) {
+    const MotionFrame frame(kind, motion);
+    const BodyForces forces(motion, frame);
+    double largest = 0;
+    for (const rigid::ForcesPerMass& mass : forces.at(frame.seen(sample))) {
+      for (const Eigen::Vector3d& force : {mass.held, mass.centrifugal, mass.coriolis, mass.euler})
+        largest = std::max(largest, force.norm());
+    }
+    EXPECT_DOUBLE_EQ(forces.largestAt(sample), largest);
+    EXPECT_GT(largest, 0.1);
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::scene

@@ -1,0 +1,174 @@
+#include "bridge/why_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+#include "base/elementary.h"
+#include "base/json.h"
+#include "physics/motion_start.h"
+#include "rigid/poinsot.h"
+#include "timeline/spin.h"
+
+namespace rotatebook::bridge {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr int kLadderRows = 40;  // of its outline, from each end to the middle
+
+template <typename Values>
+void append(std::vector<double>& numbers, const Values& values) {
+  numbers.insert(numbers.end(), values.data(), values.data() + values.size());
+}
+
+/// Returns the linear map from the body to its cage: the best one, by least squares.
+Matrix3d mapOf(const physics::Cuboid& body, const physics::Cage& cage) {
+  const physics::Cage rest = body.corners();
+  const Vector3d squares = rest.rowwise().squaredNorm();
+  return (cage.colwise() - cage.rowwise().mean()) * rest.transpose() *
+         squares.cwiseInverse().asDiagonal();
+}
+
+/// Returns the angular momentum along the principal axes.
+Vector3d alongPrincipal(const rigid::PrincipalAxes& inertia, const physics::Sample& sample) {
+  return inertia.bodyFromPrincipal.transpose() *
+         (sample.attitude.conjugate() * sample.angularMomentum);
+}
+
+/// Returns the first sample after the last nudge before `index`, from which the motion is free.
+std::size_t freeSince(const physics::MotionSettings& motion,
+                      const std::vector<physics::Sample>& samples, std::size_t index) {
+  std::size_t first = 0;
+  for (const physics::Nudge& nudge : motion.nudges) {
+    const auto after = std::ranges::lower_bound(samples, nudge.at, {}, &physics::Sample::time);
+    const auto start = static_cast<std::size_t>(after - samples.begin());
+    if (start <= index) first = std::max(first, start);
+  }
+  return first;
+}
+
+}  // namespace
+
+PlayedForces::PlayedForces(const PlayedScene& played, std::size_t motion)
+    : motion_(motion),
+      forces_(played.scene().motions.at(motion), played.frameOf(motion)),
+      limit_(scene::kLargestForce * forces_.largestAt(played.samples(motion).front())) {}
+
+std::vector<double> PlayedForces::at(const PlayedScene& played, std::int64_t frame) {
+  const std::vector<physics::Sample>& samples = played.samples(motion_);
+  for (; seen_ < samples.size(); ++seen_)
+    largest_ = std::max(largest_, forces_.largestAt(samples[seen_]));
+  std::vector<double> numbers{std::min(largest_, limit_)};
+  const physics::Sample sample = played.sample(motion_, frame);
+  const Matrix3d map = mapOf(played.scene().motions[motion_].body, sample.cage);
+  const Vector3d centre = sample.cage.rowwise().mean();
+  const std::vector<rigid::ForcesPerMass> forces = forces_.at(sample);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    append(numbers, Vector3d(centre + map * forces_.places()[i]));
+    append(numbers, forces[i].held);
+    append(numbers, forces[i].centrifugal);
+    append(numbers, forces[i].coriolis);
+    append(numbers, forces[i].euler);
+  }
+  return numbers;
+}
+
+std::vector<double> ladderNumbers(const PlayedScene& played, std::size_t motion,
+                                  std::int64_t frame) {
+  const auto inertia = physics::modelInertia(played.scene().motions.at(motion));
+  const auto axes = rigid::axesByInertia(inertia.moments);
+  const Vector3d energies = rigid::axisEnergies(inertia.moments, 1);
+  const double high = energies[axes[0]], middle = energies[axes[1]], low = energies[axes[2]];
+  const auto heightOf = [&](double energy) {
+    return high > low ? std::clamp((energy - low) / (high - low), 0.0, 1.0) : 0.5;
+  };
+  const auto reachAt = [&](double energy) {
+    return rigid::reachOfMomentum(energies, energy) / std::numbers::pi;
+  };
+
+  const physics::Sample& sample = played.samples(motion)[played.indexOf(motion, frame)];
+  const Vector3d momentum = alongPrincipal(inertia, sample);
+  const double energy = sample.total() / momentum.squaredNorm(), reach = reachAt(energy);
+  const double along = std::abs(momentum[axes[energy > middle ? 0 : 2]]);
+  const double angle = arcTangent(momentum[axes[1]], along) / std::numbers::pi;
+  std::vector<double> numbers{heightOf(energy), reach, std::clamp(angle, -reach, reach),
+                              100 * (energy / middle - 1)};
+  for (const int axis : axes) {
+    const bool isTurned = !inertia.bodyFromPrincipal.isIdentity(1e-9);
+    numbers.insert(numbers.end(), {static_cast<double>(axis), isTurned ? 1.0 : 0.0,
+                                   heightOf(energies[axis]), reachAt(energies[axis])});
+  }
+  for (const double end : {high, low}) {
+    for (int i = 0; i <= kLadderRows; ++i) {
+      // Denser toward both, where the width changes most.
+      const double turn = std::numbers::pi * (end == high ? i : kLadderRows - i) / kLadderRows;
+      const double at = end + (middle - end) * (1 - cosine(turn)) / 2;
+      numbers.insert(numbers.end(), {heightOf(at), reachAt(at)});
+    }
+  }
+  return numbers;
+}
+
+std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion,
+                                   std::int64_t frame, std::int64_t trail) {
+  const scene::Panel& panel = played.scene().motions.at(motion);
+  const auto inertia = physics::modelInertia(panel);
+  Vector3d semiAxes = rigid::inertiaSemiAxes(inertia.moments);
+  const double scale = panel.body.largestDimension() / 2 / semiAxes.maxCoeff();
+  semiAxes *= scale;
+  const auto contactOf = [&](const physics::Sample& sample) -> Vector3d {
+    const auto poinsot = rigid::poinsotOf(inertia.moments, alongPrincipal(inertia, sample));
+    return scale * (inertia.bodyFromPrincipal * poinsot.contact);
+  };
+
+  const std::vector<physics::Sample>& samples = played.samples(motion);
+  const std::size_t index = played.indexOf(motion, frame);
+  const physics::Sample& sample = samples[index];
+  const Matrix3d frameFromWorld = played.frameOf(motion).fromWorld(sample);
+  const Matrix3d frameFromBody = frameFromWorld * sample.attitude.toRotationMatrix();
+  const Vector3d centre = frameFromWorld * sample.cage.rowwise().mean();
+  const double distance =
+      scale * rigid::poinsotOf(inertia.moments, alongPrincipal(inertia, sample)).distance;
+  if (!std::isfinite(distance)) return {};
+  const auto radii = rigid::herpolhodeRadii(semiAxes, distance);
+  const Vector3d normal = sample.angularMomentum.normalized(), across = normal.unitOrthogonal();
+
+  std::vector<double> numbers{distance, radii.least, radii.greatest, semiAxes.maxCoeff()};
+  append(numbers, centre);
+  append(numbers, Matrix3d(frameFromBody * inertia.bodyFromPrincipal * semiAxes.asDiagonal()));
+  append(numbers, Vector3d(frameFromWorld * across));
+  append(numbers, Vector3d(frameFromWorld * normal.cross(across)));
+  append(numbers, Vector3d(frameFromWorld * normal));
+  const std::size_t since = freeSince(panel, samples, index);
+  const auto length = static_cast<std::size_t>(std::clamp<std::int64_t>(trail, 0, kMaxTrail));
+  for (std::size_t i = std::max(since, index - std::min(index, length)); i <= index; ++i) {
+    const Vector3d contact = contactOf(samples[i]);
+    if (!contact.allFinite()) continue;
+    append(numbers, Vector3d(centre + frameFromBody * contact));
+    append(numbers, Vector3d(centre + frameFromWorld * (samples[i].attitude * contact)));
+  }
+  return numbers;
+}
+
+std::string spinJson(const scene::Motion& motion) {
+  const timeline::Spin spin = timeline::spinOf(motion);
+  const std::array<const char*, 3> moments{"smallest", "middle", "largest"};
+  const std::size_t circled = spin.regime == rigid::Regime::AboutLargest ? 2 : 0;
+  return JsonObject()
+      .addNumber("speed", spin.angularVelocity.norm())
+      .addString("axis", moments[spin.spunAxis])
+      .addNumber("offAxis", spin.offAxis * kDegrees)
+      .addString("circled", moments[circled])
+      .addBool("isSteady", spin.isSteady)
+      .addBool("hasEqualMoments", spin.equal != timeline::EqualMoments::None)
+      .addNumberOrNull("flipInterval", spin.flipInterval())
+      .addNumberOrNull("firstFlip", spin.firstFlip)
+      .text();
+}
+
+}  // namespace rotatebook::bridge

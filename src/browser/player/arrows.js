@@ -16,6 +16,14 @@ function middleOf(sample) {
   return middle;
 }
 
+/** Returns the product of two quaternions (w, x, y, z): the second turn, then the first. */
+function times([w, x, y, z], [a, b, c, d]) {
+  return [w * a - x * b - y * c - z * d, w * b + x * a + y * d - z * c, w * c + y * a + z * b - x * d, w * d + z * a + x * c - y * b];
+}
+
+/** Returns the turn that undoes another. */
+const undone = ([w, x, y, z]) => [w, -x, -y, -z];
+
 /** Turns a vector by a unit quaternion (w, x, y, z). */
 function turned([w, x, y, z], [a, b, c]) {
   const s = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
@@ -59,18 +67,18 @@ class Overlay {
     this.unit = unit;
   }
 
-  #path(points) {
+  path(points) {
     const context = this.context;
     context.beginPath();
     points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
   }
 
   /** Strokes a line with a dark edge, so that it shows over white pages. */
-  #stroke(points, colour, width, edge = 1.6 * this.unit) {
+  stroke(points, colour, width, edge = 1.6 * this.unit) {
     if (points.includes(null)) return;
     const context = this.context;
     context.lineCap = context.lineJoin = "round";
-    this.#path(points);
+    this.path(points);
     context.strokeStyle = kColours.halo;
     context.lineWidth = width + edge;
     context.stroke();
@@ -79,18 +87,62 @@ class Overlay {
     context.stroke();
   }
 
-  #place(point) { return projected(this.book.matrix, this.book.area, point); }
+  place(point) { return projected(this.book.matrix, this.book.area, point); }
 
-  arrow(from, to, colour, letter) {
-    const a = this.#place(from), b = this.#place(to);
+  /** `letter` stands at its tip, if there is one; `width` in units. */
+  arrow(from, to, colour, letter, width = 2) {
+    const a = this.place(from), b = this.place(to);
     if (!a || !b) return;
     const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-    const head = Math.min(9 * this.unit, 0.4 * length);
+    const head = Math.min((5 + 2 * width) * this.unit, 0.4 * length);
     const along = length > 0 ? [(b[0] - a[0]) / length, (b[1] - a[1]) / length] : [0, 0];
     const side = (sign) => [b[0] - head * along[0] + sign * 0.45 * head * along[1], b[1] - head * along[1] - sign * 0.45 * head * along[0]];
-    this.#stroke([a, b], colour, 2 * this.unit);
-    if (length > 2) this.#stroke([side(1), b, side(-1)], colour, 2 * this.unit);
-    this.#letter(letter, [b[0] + 11 * this.unit * along[0], b[1] + 11 * this.unit * along[1]], colour);
+    this.stroke([a, b], colour, width * this.unit);
+    if (length > 2) this.stroke([side(1), b, side(-1)], colour, width * this.unit);
+    if (letter) this.#letter(letter, [b[0] + 11 * this.unit * along[0], b[1] + 11 * this.unit * along[1]], colour);
+  }
+
+  /** A line through points of the world; faint where `isHidden` says so of a point. */
+  curve(points, colour, width, opacity, isHidden = []) {
+    const context = this.context, places = points.map((point) => this.place(point));
+    context.lineCap = context.lineJoin = "round";
+    context.strokeStyle = colour;
+    context.lineWidth = width * this.unit;
+    for (const faint of [true, false]) {
+      context.beginPath();
+      let isDown = false;
+      places.forEach((place, i) => {
+        if (!place || Boolean(isHidden[i]) !== faint) { isDown = false; return; }
+        if (isDown) context.lineTo(...place);
+        else context.moveTo(...place);
+        isDown = true;
+      });
+      context.globalAlpha = faint ? opacity * kBehind : opacity;
+      context.stroke();
+    }
+    context.globalAlpha = 1;
+  }
+
+  area(points, colour, opacity) {
+    const places = points.map((point) => this.place(point));
+    if (places.includes(null)) return;
+    this.path(places);
+    this.context.globalAlpha = opacity;
+    this.context.fillStyle = colour;
+    this.context.fill();
+    this.context.globalAlpha = 1;
+  }
+
+  /** `radius` in units. */
+  dot(point, colour, radius) {
+    const place = this.place(point);
+    if (!place) return;
+    for (const [fill, size] of [[kColours.halo, radius + 1], [colour, radius]]) {
+      this.context.beginPath();
+      this.context.arc(...place, size * this.unit, 0, 2 * Math.PI);
+      this.context.fillStyle = fill;
+      this.context.fill();
+    }
   }
 
   #letter(text, [x, y], colour) {
@@ -127,20 +179,20 @@ class Overlay {
     for (const [a, b, rest] of springs) {
       const from = cornerOf(sample, a), to = cornerOf(sample, b);
       const strain = Math.hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]) / rest - 1;
-      this.#stroke([this.#place(from), this.#place(to)], strainColour(strain), 1.3 * this.unit, 0.7 * this.unit);
+      this.stroke([this.place(from), this.place(to)], strainColour(strain), 1.3 * this.unit, 0.7 * this.unit);
     }
   }
 
   outline(sample) {
     for (const [a, b] of kEdges) {
-      this.#stroke([this.#place(cornerOf(sample, a)), this.#place(cornerOf(sample, b))], kColours.ghost, 1.2 * this.unit, this.unit);
+      this.stroke([this.place(cornerOf(sample, a)), this.place(cornerOf(sample, b))], kColours.ghost, 1.2 * this.unit, this.unit);
     }
   }
 
   /** The hand's way, while it throws. */
   hand(from, to) {
     this.context.setLineDash([6 * this.unit, 6 * this.unit]);
-    this.#stroke([from, to], kColours.omega, 2 * this.unit);
+    this.stroke([from, to], kColours.omega, 2 * this.unit);
     this.context.setLineDash([]);
   }
 }

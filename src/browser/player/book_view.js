@@ -160,7 +160,7 @@ class BookView {
     this.cloth = colour && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
   }
 
-  /** Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, backdrop}, in the order of setBodies(). */
+  /** Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, sky, backdrop}, in the order of setBodies(). */
   draw(books) {
     const gl = this.gl, height = this.canvas.height;
     gl.disable(gl.SCISSOR_TEST);
@@ -173,20 +173,21 @@ class BookView {
       gl.scissor(x, height - y - tall, width, tall);
       gl.clearColor(...(book.plain ?? [0, 0, 0]), 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-      if (!book.plain) this.#drawBackdrop(this.backdrops[book.backdrop] ?? this.backdrops.studio, width, tall);
+      if (!book.plain) this.#drawBackdrop(this.backdrops[book.backdrop] ?? this.backdrops.studio, width, tall, book.sky);
       this.#prepare(book);
       if (this.bodies[i]) this.#drawBody(book, this.bodies[i]);
       else this.#drawBook(book);
     }
   }
 
-  #drawBackdrop(shaders, width, height) {
+  #drawBackdrop(shaders, width, height, sky) {
     const gl = this.gl;
     gl.disable(gl.DEPTH_TEST);
     gl.disable(gl.CULL_FACE);
     shaders.use();
     gl.uniform2f(shaders.place("pictureSize"), width, height);
     gl.uniform1i(shaders.place("supersample"), 1);
+    gl.uniformMatrix4fv(shaders.place("skyFromPicture"), false, sky);
     gl.bindVertexArray(this.noVertices);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }

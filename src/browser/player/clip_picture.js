@@ -45,6 +45,7 @@ class ClipPicture {
     this.stage = new ClipStage(core, materials, size);
     this.stage.view.setCloth(clothOf(state.scene));
     this.ball = new PolhodeBall(document.createElement("canvas"));
+    this.ladder = new Ladder(document.createElement("canvas"));
     this.canvas = Object.assign(document.createElement("canvas"), {width: size[0], height: size[1]});
     this.context = this.canvas.getContext("2d", {alpha: false});
     this.side = Math.min(...size);
@@ -61,6 +62,8 @@ class ClipPicture {
     const {title = "", caption = ""} = scene.explicit;
     const bottom = scene.shows("caption") ? this.#drawCaption(title, captionAt(read.captions, caption, frame)) : this.canvas.height;
     if (scene.shows("polhode")) this.#drawBall(frame, bottom);
+    if (scene.shows("energy_ladder")) this.#drawLadder(frame, bottom, scene.shows("polhode"));
+    if (scene.shows("forces")) this.#drawLegend(frame);
     if (read.motions.length > 1) this.#drawLabels(read.motions);
     if (scene.shows("clock")) this.#drawClock(this.#timeText(frame), read.motions.length > 1, bottom);
   }
@@ -108,6 +111,28 @@ class ClipPicture {
     const {core, state: {read, book}, canvas, margin} = this, size = Math.round(kClipBall * this.side);
     this.ball.draw(read.motions[book].moments, trailOf(core, book, frame), size, size / 170);
     this.context.drawImage(this.ball.canvas, canvas.width - size - margin / 2, Math.min(bottom, canvas.height - margin / 2) - size);
+  }
+
+  #drawLadder(frame, bottom, isBesideBall) {
+    const {core, state: {book}, canvas, margin} = this, size = Math.round(kClipBall * this.side), {canvas: ladder} = this.ladder;
+    this.ladder.draw(core.ladder(kPlayed, book, frame), size, size / 170);
+    const right = canvas.width - margin / 2 - (isBesideBall ? size + margin / 2 : 0);
+    this.context.drawImage(ladder, right - ladder.width, Math.min(bottom, canvas.height - margin / 2) - size);
+  }
+
+  /** The kinds of forces, below the clock, and a bar for their scale. */
+  #drawLegend(frame) {
+    const {core, state: {read, book, scene}, context, margin} = this, {longest} = core.forces(kPlayed, book, frame);
+    if (!(longest > 0)) return;
+    const size = 0.8 * kClipLetters * this.side, bar = roundedDown(0.35 * longest), {kinds, length} = legendOf(longest, bar, read.motions[book], scene.frameOf(book));
+    const rows = [...kinds.map(({words, colour}) => [1.6 * size, words, colour]),
+      [length * this.stage.pixelsOfMetre(book) * this.stage.sharpness, `${say.number(String(bar))} N/kg`, "#ffffff"]];
+    rows.forEach(([width, words, colour], i) => {
+      const y = margin + (2.2 + 1.4 * i) * size;
+      context.fillStyle = colour;
+      context.fillRect(margin, y + 0.5 * size, width, 0.15 * size);
+      this.#write(words, margin + width + 0.6 * size, y, size);
+    });
   }
 
   #drawLabels(motions) {

@@ -1,6 +1,6 @@
 // Buttons, keys, dropped files and clicks on the ball.
 
-const kActionsOfKeys = {x: (player) => player.startAbout("x"), y: (player) => player.startAbout("y"), z: (player) => player.startAbout("z"),
+const kActionsOfKeys = {x: (player) => player.throwAbout("x"), y: (player) => player.throwAbout("y"), z: (player) => player.throwAbout("z"),
   j: (player) => player.jiggle(), r: (player) => player.reset(), ",": (player) => player.step(-1), ".": (player) => player.step(1),
   Home: (player) => player.seek(0), End: (player) => player.seek(player.lastFrame)};
 const kBallStep = 0.06;  // Of a key. [rad]
@@ -16,14 +16,18 @@ class Commands {
       player.pause();
       player.seek(Number(seek.value));
     });
-    root.querySelector("[data-speed]").addEventListener("change", (event) => { player.clock.speed = Number(event.target.value); });
+    root.querySelector("[data-speed]").addEventListener("change", ({target}) => {
+      player.slowsAtFlips = target.value === "flips";
+      player.speed = Number(target.value) || 1;
+    });
     this.#takeFiles();
     this.#listenToBall();
   }
 
   #click(event) {
-    const name = event.target.closest("[data-do]")?.dataset.do, {player} = this;
+    const {do: name, axis} = event.target.closest("[data-do]")?.dataset ?? {}, {player} = this;
     const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
+      throw: () => player.throwAbout(axis), why: () => player.toggleWhy(),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
       save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
     actions[name]?.();

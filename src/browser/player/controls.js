@@ -15,8 +15,9 @@ class Controls {
     this.root = root;
     this.player = player;
     this.refreshers = [];
-    this.#makeChoice("axis", kAxes.map((axis) => [axis, axis]), (scene, book) => scene.startAxis(book),
-      (axis) => player.startAbout(axis));
+    this.#makeChoice("frame", Object.entries(kFrames), (scene, book) => scene.frameOf(book), (frame) => player.setFrame(frame), (frame) => frame !== "momentum");
+    const why = root.querySelector("[data-do=why]");
+    this.refreshers.push(() => why.setAttribute("aria-pressed", String(player.showsWhy)));
     this.#makeChoice("model", player.core.words.models.map(({name}) => [name, say(name)]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
     this.#makeChoice("books", [["one", say("one")], ["same", say("two")], ["exact", say("two, one exact")]], (scene) => player.booksChoice(scene),
@@ -102,10 +103,11 @@ class Controls {
 
   #makeShown(overlay, words) {
     const input = make("input", {type: "checkbox"}), row = make("label", {className: "rb-check"}, input, words);
-    input.addEventListener("change", () => this.player.apply(this.player.scene.withShown(overlay, input.checked)));
+    input.addEventListener("change", () => this.player.see(this.player.scene.withShown(overlay, input.checked)));
     this.#group("shown").append(row);
     this.refreshers.push((scene, book, model) => {
-      row.hidden = overlay === "springs" && !this.#has(model, "simulation.stiffness");
+      const isOfParticles = this.#has(model, "simulation.stiffness");
+      row.hidden = (overlay === "springs" && !isOfParticles) || (overlay === "poinsot" && isOfParticles);
       input.checked = scene.shows(overlay);
     });
   }

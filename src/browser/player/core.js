@@ -130,11 +130,51 @@ class Core {
     const place = this.buffer;
     const heap = this.module.HEAPU8.buffer;
     new Float64Array(heap, place, 2).set([orbit.right, orbit.up]);
-    const values = [width, height, place, orbit.distance, place + 16, place + 80];
+    const values = [width, height, place, orbit.distance, place + 16, place + 80, place + 96];
     if (!this.#call("camera", slot, motion, frame, ...values)) throw missing(slot, motion);
     const floats = (begin, end) => new Float32Array(heap.slice(place + begin, place + end));
-    return {matrix: floats(16, 80), eye: floats(80, 92)};
+    return {matrix: floats(16, 80), eye: floats(80, 92), sky: floats(96, 160)};
   }
+
+  /** Returns the numbers that a function answers with, empty if there are none. */
+  #counted(name, ...values) {
+    const address = this.#call(name, ...values, this.buffer), heap = this.module.HEAPU8.buffer;
+    return new Float64Array(heap.slice(address, address + 8 * new Int32Array(heap, this.buffer, 1)[0]));
+  }
+
+  /** Returns {longest, masses: [{place, held, centrifugal, coriolis, euler}]}. [N/kg] */
+  forces(slot, motion, frame) {
+    const numbers = this.#counted("forces", slot, motion, frame), masses = [];
+    for (let at = 1; at < numbers.length; at += 15) {
+      const [place, held, centrifugal, coriolis, euler] = [0, 3, 6, 9, 12].map((first) => numbers.subarray(at + first, at + first + 3));
+      masses.push({place, held, centrifugal, coriolis, euler});
+    }
+    return {longest: numbers[0], masses};
+  }
+
+  /** Returns {now: {height, reach, angle, margin}, rungs: [{axis, isTurned, height, reach}], outline: [{height, reach}]}. */
+  ladder(slot, motion, frame) {
+    const numbers = this.#counted("ladder", slot, motion, frame), [height, reach, angle, margin] = numbers, outline = [];
+    const rungs = [4, 8, 12].map((at) => ({axis: numbers[at], isTurned: numbers[at + 1] === 1, height: numbers[at + 2], reach: numbers[at + 3]}));
+    for (let at = 16; at < numbers.length; at += 2) outline.push({height: numbers[at], reach: numbers[at + 1]});
+    return {now: {height, reach, angle, margin}, rungs, outline};
+  }
+
+  /** Returns Poinsot's construction with trails of up to `trail` frames; null of a body at rest. */
+  poinsot(slot, motion, frame, trail) {
+    const numbers = this.#counted("poinsot", slot, motion, frame, trail), polhode = [], herpolhode = [];
+    if (numbers.length === 0) return null;
+    const [distance, least, greatest, longest] = numbers, vector = (at) => [...numbers.subarray(at, at + 3)];
+    for (let at = 25; at < numbers.length; at += 6) {
+      polhode.push(vector(at));
+      herpolhode.push(vector(at + 3));
+    }
+    return {distance, least, greatest, longest, centre: vector(4), ellipsoid: [7, 10, 13].map(vector), plane: [vector(16), vector(19)], normal: vector(22),
+      polhode, herpolhode};
+  }
+
+  /** Returns the spin that a motion starts with, and what follows from it; bridge.h says its names. */
+  spin(slot, motion) { return JSON.parse(this.#text(this.#call("spin", slot, motion))); }
 
   mesh() {
     const heap = this.module.HEAPU8.buffer, count = this.buffer;

@@ -29,5 +29,8 @@ const kKnobs = [
   {group: "start", section: "clip", key: "duration", label: say("Length of the motion"), least: 2, most: 600, logarithmic: true},
 ];
 
+/** The reference frames in which the book is seen. */
+const kFrames = {world: say("room"), body: say("book"), turning: say("turning"), momentum: say("momentum")};
+
 const kShownOverlays = {omega: say("ω, angular velocity"), momentum: say("L, angular momentum"), axes: say("axes of the book"), springs: say("springs by strain"),
-  polhode: say("ball of spins"), ghost: say("outline of the exact book")};
+  polhode: say("ball of spins"), ghost: say("outline of the exact book"), forces: say("forces"), energy_ladder: say("ladder of energies"), poinsot: say("Poinsot’s construction")};

@@ -113,12 +113,27 @@ class LiveScene {
   withStartAbout(book, axis) {
     const tilt = this.value(book, "initial", "tilt")?.[0] || kStartTilt;
     const velocity = kAxes.map((name) => (name === axis ? this.speedAtStart(book) : 0));
-    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity, tilt: [tilt, kTiltToward[axis]]}));
+    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity, tilt: [tilt, kTiltToward[axis]]}), book);
+  }
+
+  /** Whether a body is a book, whose axes have its three moments. */
+  isOfBook(book) { return ["shape", "mesh", "part", "inertia"].every((key) => this.value(book, "body", key) === undefined); }
+
+  /** Starts about the axis of a moment, "smallest", "middle" or "largest", with a tilt toward one of the body's axes. */
+  withStartAboutMoment(book, about, toward) {
+    const tilt = this.value(book, "initial", "tilt")?.[0] || kStartTilt;
+    return this.withoutNudges(this.withStart(book, {angular_velocity: {about, value: this.speedAtStart(book)}, tilt: [tilt, toward]}), book);
+  }
+
+  /** Starts as a book lies, the world from its axes, with an angular velocity in these. [rad/s] */
+  withThrow(book, attitude, velocity) {
+    const rounded = (parts, digits) => parts.map((part) => Number(part.toFixed(digits)) || 0);
+    return this.withoutNudges(this.withStart(book, {angular_velocity: rounded(velocity, 4), attitude: rounded(attitude, 6)}), book);
   }
 
   /** Starts with an angular velocity in the book's axes. [rad/s] */
   withVelocity(book, velocity) {
-    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity.map((part) => Number(part.toPrecision(6)))}));
+    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity.map((part) => Number(part.toPrecision(6)))}), book);
   }
 
   withSpeed(book, speed) {
@@ -140,8 +155,9 @@ class LiveScene {
     return this.withKeys(book, "body", {size: this.value(book, "body", "size").map((size, i) => (i === axis ? length : size))});
   }
 
-  withoutNudges(tree) {
+  withoutNudges(tree, book) {
     delete tree.nudge;
+    delete tree.panel?.[book]?.nudge;
     return tree;
   }
 
@@ -156,14 +172,14 @@ class LiveScene {
     return Number((this.speeds[book] || kStartSpeed).toPrecision(6));
   }
 
-  /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones; the clip lasts until `end` [s] at least. */
-  withNudge(at, angularVelocity, end) {
+  /** Adds a throw at a time [s] along `axes`, "world" or "body" [rad/s], in place of all later ones; the clip lasts until `end` [s] at least. */
+  withNudge(at, angularVelocity, axes, end) {
     const {maxNudges} = this.words, sharing = this.tree.panel?.findIndex((panel) => !panel.nudge);
     const all = (this.tree.panel ? this.explicit.panel[sharing] : this.explicit)?.nudge ?? [];
     const earlier = all.filter((nudge) => nudge.at < at);
     if (earlier.length >= maxNudges) throw new Error(say("There are {count} throws already; reset the book to throw it anew.", {count: maxNudges}));
     return this.withMotion((tree) => {
-      tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];
+      tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes}];
       if (end > this.explicit.clip.duration) tree.clip = {...tree.clip, duration: Number(end.toPrecision(6))};
     });
   }
@@ -201,9 +217,28 @@ class LiveScene {
     return this.changed((tree) => LiveScene.#setShown(tree, this.explicit, overlay, isShown));
   }
 
+  /** Shows overlays in place of the `hidden` ones. */
+  withOverlays(shown, hidden) {
+    return this.changed((tree) => {
+      const others = (this.explicit.overlay?.show ?? []).filter((name) => !shown.includes(name) && !hidden.includes(name));
+      tree.overlay = {...tree.overlay, show: [...others, ...shown]};
+    });
+  }
+
   static #setShown(tree, explicit, overlay, isShown) {
     const others = (explicit.overlay?.show ?? []).filter((name) => name !== overlay);
     tree.overlay = {...tree.overlay, show: isShown ? [...others, overlay] : others};
+  }
+
+  /** The reference frame in which the camera sees a book: "world", "body", "turning" or "momentum". */
+  frameOf(book) { return this.explicit.panel?.[book]?.frame ?? this.explicit.camera?.frame ?? "world"; }
+
+  /** All books are seen in one frame; the camera is at its usual place there. */
+  withFrame(frame) {
+    return this.changed((tree) => {
+      tree.camera = {...tree.camera, frame};
+      for (const panel of tree.panel ?? []) delete panel.frame;
+    });
   }
 
   /** The tree of the exact motion from the same start, for the ghost. Null if there is nothing to compare. */

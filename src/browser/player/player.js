@@ -17,6 +17,7 @@ show = ["omega", "momentum", "polhode"]
 `;
 const kBudget = 7;           // Of simulating ahead, in a picture's time. [ms]
 const kCatchingUp = 40;      // The same where the picture waits for it. [ms]
+const kWhy = ["forces", "energy_ladder"];  // Overlays.
 
 /** Returns the sizes of each motion's vectors at the start. */
 function scalesAtStart(core, slot, motions) {
@@ -45,6 +46,12 @@ class Player {
     this.predict = new Predict(this.find(".rb-question"), this);
     this.throws = new Throws(this);
     this.saver = new ClipSaver(root, this);
+    this.files = new Files(this);
+    this.hand = new Hand(this);
+    this.ladder = new Ladder(this.find(".rb-ladder"));
+    this.outcome = new Outcome(this.find(".rb-said"), this.find(".rb-hint"), this.announcer);
+    this.speed = 1;
+    this.slowsAtFlips = false;
     this.onEdit = () => {};
   }
 
@@ -86,12 +93,15 @@ class Player {
   }
 
   /** Changes the scene to an edited tree, at the picture's frame or another. Returns whether the core takes it. */
-  apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying} = {}) {
-    if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying})) return false;
+  apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying, isMotion = true} = {}) {
+    if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying, isMotion})) return false;
     this.edits += 1;
     this.onEdit();
     return true;
   }
+
+  /** As above, of what is seen of the same motion. */
+  see(tree) { return this.apply(tree, {isMotion: false}); }
 
   #refuse(error) {
     if (!(error instanceof SceneError)) throw error;
@@ -100,7 +110,7 @@ class Player {
   }
 
   /** `record`: of the clip whose motion this is said to be. */
-  #play(tree, text, {frame, isPlaying, record = null, isQuestion = false}) {
+  #play(tree, text, {frame, isPlaying, isMotion = true, record = null, isQuestion = false}) {
     let read;
     try {
       read = this.core.read(kPlayed, text);
@@ -110,6 +120,8 @@ class Player {
     }
     if (!isQuestion) this.predict.leave();
     this.announcer.show(this.drawing.view.isLost ? kInterrupted : "");
+    this.hand.putBack();
+    if (isMotion) this.outcome.forget();
     this.record = record;
     this.#take(new LiveScene(tree, this.core.treeOf(this.core.sceneText(kPlayed)), text, this.core.words), read, frame);
     this.#setPlaying(isPlaying);
@@ -179,6 +191,7 @@ class Player {
   tick(now) {
     const before = this.clock.position;
     this.#simulate();
+    this.clock.speed = this.speed * (this.slowsAtFlips ? this.timeline.slowness(this.frame) : 1);
     if (!this.isWaiting) {
       this.clock.tick(now, this.lastFrame);
       if (this.clock.isPlaying && this.drawnAt) this.drawing.adapt(now - this.drawnAt);
@@ -201,9 +214,11 @@ class Player {
     showNumbers(this.find(".rb-numbers"), this, frame);
     this.#showTime(this.timeOf(frame), frame);
     this.#drawBall(frame);
+    this.#drawWhy(frame);
     const words = wordsOfEvents(this.timeline.events, this.announcedFrame, frame, this.labels, (at) => this.timeOf(at));
     if (words.length > 0) this.announcer.announce(words.join(". "));
     this.announcedFrame = frame;
+    this.outcome.tick(this.timeOf(frame));
     this.predict.tick(this.timeOf(frame), this.simulation.isDone && frame >= this.lastFrame);
   }
 
@@ -220,6 +235,15 @@ class Player {
     this.find(".rb-ball-frame").hidden = !isShown;
     if (!isShown) return;
     this.ball.draw(moments, trailOf(this.core, this.book, frame));
+  }
+
+  /** The ladder, and the legend of forces. */
+  #drawWhy(frame) {
+    const {scene, book} = this, motion = this.read.motions[book], legend = this.find(".rb-legend"), isHeld = this.hand.held !== null;
+    this.ladder.canvas.hidden = !scene.shows("energy_ladder");
+    if (!this.ladder.canvas.hidden) this.ladder.draw(this.core.ladder(kPlayed, book, frame));
+    legend.hidden = !scene.shows("forces") || isHeld;
+    if (!legend.hidden) showLegend(legend, this.core.forces(kPlayed, book, frame), motion, scene.frameOf(book), this.drawing.pixelsOfMetre(book));
   }
 
   redraw() { this.isDirty = true; }
@@ -257,8 +281,27 @@ class Player {
     this.seek(this.frame + frames);
   }
 
-  /** Whatever is begun anew starts to move, unless it was paused. */
-  startAbout(axis) { this.apply(this.scene.withStartAbout(this.book, axis), {frame: 0}); }
+  open(file) { return this.files.open(file); }
+
+  throwAbout(axis) { this.throws.throwAbout(axis); }
+  throwFrom(book, attitude, velocity) { this.throws.throwFrom(book, attitude, velocity); }
+
+  /** Sees the motion from another frame of reference. */
+  setFrame(frame) { this.see(this.scene.withFrame(frame)); }
+
+  get showsWhy() { return kWhy.every((overlay) => this.scene.shows(overlay)); }
+
+  /** Shows forces and energies, or no longer; in the room there are none but what the body does to its parts, so a camera that turns sees them. */
+  toggleWhy() {
+    const {scene} = this, isShown = this.showsWhy;
+    const tree = scene.withOverlays(isShown ? [] : kWhy, isShown ? kWhy : ["springs"]);
+    const isInRoom = scene.frameOf(this.book) === "world";
+    if (!isShown && isInRoom) this.see(scene.as(tree).withFrame("turning"));
+    else this.see(isShown && this.isTurnedForWhy ? scene.as(tree).withFrame("world") : tree);
+    this.isTurnedForWhy = !isShown && isInRoom;
+  }
+
+  /** What is read anew starts to move, unless it was paused. */
   reset() { this.load(this.original, {isPlaying: this.clock.isPlaying, record: this.record}); }
 
   edit(book) {
@@ -287,6 +330,9 @@ class Player {
   isOnBook(place) { return this.drawing.isOnBook(place); }
   bookRadius(place) { return this.drawing.bookRadius(place); }
 
+  /** Whether the hand can hold a book: not while a question waits for its answer. */
+  canHold() { return !this.predict.isAsking; }
+
   showHand(from, to) {
     this.flick = from && [from, to];
     this.redraw();
@@ -298,7 +344,9 @@ class Player {
     else this.toggle();
   }
 
-  throwBook(right, up) { this.throws.throwBook(right, up); }
+  throwBook(right, up) {
+    if (this.#isFree()) this.throws.throwBook(right, up);
+  }
   jiggle() { this.throws.jiggle(); }
 
   /** Whether the scene's text can hold the turned view: only a camera of the world's frame has a place of its own. */
@@ -312,63 +360,5 @@ class Player {
     return this.core.textOf(this.scene.changed((tree) => {
       tree.camera = {...tree.camera, position: eye.map((part) => Number(part.toPrecision(5)))};
     }));
-  }
-
-  /** Proves a clip and plays its scene, or plays a dropped scene. A later file takes this one's place. */
-  async open(file) {
-    const job = this.job = {}, edits = this.edits, isWanted = () => this.job === job;
-    this.announcer.show(say("Reading {file} …", {file: file.name}));
-    try {
-      if (/\.toml$/i.test(file.name)) await this.#openScene(file, isWanted);
-      else if (isThing(file.name)) await this.#openThing(file, isWanted);
-      else await this.#openClip(file, isWanted, edits);
-    } catch (error) {
-      if (!isWanted()) return;
-      const isExpected = error instanceof RecordError || error instanceof SceneError;
-      this.announcer.show(error instanceof RecordError ? error.message : `${file.name}: ${error.message}`, "bad");
-      if (!isExpected) throw error;
-    }
-  }
-
-  async #openScene(file, isWanted) {
-    if (file.size > this.core.words.longestScene) throw new SceneError(say("it is longer than 32 KiB, the limit for a scene"));
-    const text = await readable(file.name, () => file.text());
-    if (isWanted()) this.load(text, {isPlaying: this.mayMove});
-  }
-
-  async #openThing(file, isWanted) {
-    if (file.size > kLargestThing) throw new SceneError(say("it is longer than 1 MB, the limit here; rotatebook render takes it"));
-    const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
-    if (!isWanted()) return;
-    const before = this.things ?? [], problems = [];
-    this.things = [{name: file.name, bytes}];
-    this.core.takeFiles(this.things);
-    this.drawing.forgetBodies();
-    for (const tree of scenesOfThing(file.name, this.core.words.keys.title.max)) {
-      const text = this.core.textOf(tree);
-      try {
-        this.core.read(kProof, text);
-      } catch (error) {
-        problems.push(error);
-        continue;
-      }
-      this.load(text, {isPlaying: this.mayMove});
-      return;
-    }
-    this.things = before;  // The scene that goes on names them.
-    this.core.takeFiles(before);
-    throw problems[0];
-  }
-
-  async #openClip(file, isWanted, edits) {
-    // Both take the same slot.
-    if (this.saver.isSaving) throw new RecordError(say("{file} has to wait: a clip is being saved. Drop it again once that is done or cancelled.", {file: file.name}));
-    const tell = (share) => this.announcer.show(say("Simulating {file} again … {share} %", {file: file.name, share: Math.floor(100 * share)}));
-    const proof = await proveClip(this.core, file, tell, isWanted);
-    if (!proof || !isWanted()) return;
-    // Nothing that was done meanwhile is lost.
-    const isPlayed = this.edits === edits && this.load(proof.record.text, {record: proof.record, isPlaying: this.mayMove});
-    const aside = isPlayed ? "" : " " + say("You went on meanwhile, so it isn’t played; drop it again to play it.");
-    this.announcer.show(proof.words + aside, proof.isProved ? "good" : "bad");
   }
 }

@@ -2,13 +2,12 @@
 
 const kTap = 6;            // A shorter way is a tap. [CSS pixels]
 const kThrowTime = 120;    // The last part of the way, whose speed counts. [ms]
-const kFastest = 30;       // [rad/s]
 const kOrbitStep = 0.12;   // Of a key. [rad]
 const kThrowStep = 1;      // Of a key. [rad/s]
 const kHighest = 1.45;     // [rad]
 
 class Pointer {
-  /** `player`: with viewAt(x, y) [CSS pixels], orbit, throwBook(right, up), toggle(), redraw(). */
+  /** `player`: with orbit, hand, isOnBook(place) [CSS pixels], canHold(), throwBook(right, up), tap(place), redraw(). */
   constructor(canvas, player) {
     this.canvas = canvas;
     this.player = player;
@@ -36,13 +35,16 @@ class Pointer {
     this.player.find(".rb-hint").hidden = true;  // The hand knows by now.
     const place = this.#place(event);
     this.touching.set(event.pointerId, place);
-    this.start = this.touching.size === 1 ? {place, isOnBook: this.player.isOnBook(place), time: event.timeStamp} : null;
+    this.player.hand.putBack();  // Two fingers draw near.
+    this.start = this.touching.size === 1 ? {place, isOnBook: this.player.isOnBook(place)} : null;
     this.way = [[event.timeStamp, ...place]];
+    if (this.start?.isOnBook && !event.shiftKey && this.player.canHold()) this.start.isHeld = this.player.hand.hold(place, event.timeStamp);
+    if (this.start?.isHeld) this.canvas.style.cursor = "grabbing";
   }
 
   #move(event) {
     const before = this.touching.get(event.pointerId), place = this.#place(event);
-    this.canvas.style.cursor = this.player.isOnBook(place) ? "grab" : "move";
+    if (!this.start?.isHeld) this.canvas.style.cursor = this.player.isOnBook(place) ? "grab" : "move";
     if (!before) return;
     const apart = () => {
       const [a, b] = [...this.touching.values()];
@@ -53,28 +55,34 @@ class Pointer {
     if (this.touching.size === 2) return this.#zoom(earlier / Math.max(apart(), 1));
     this.way.push([event.timeStamp, ...place]);
     if (!this.start) return undefined;
-    if (this.start.isOnBook) this.player.showHand(this.start.place, place);
+    if (this.start.isHeld) this.player.hand.move(place, [place[0] - before[0], place[1] - before[1]], event.timeStamp);
+    else if (this.start.isOnBook) this.player.showHand(this.start.place, place);
     else this.turn((before[0] - place[0]) / 160, (place[1] - before[1]) / 160);
     return undefined;
   }
 
   #release(event) {
-    const start = this.start, place = this.#place(event);
+    const {start} = this, place = this.#place(event), before = this.touching.get(event.pointerId) ?? place;
+    const isTap = start && Math.hypot(place[0] - start.place[0], place[1] - start.place[1]) < kTap;
+    if (start?.isHeld && !isTap) {
+      // Browsers may leave the last part of the way out.
+      if (place[0] !== before[0] || place[1] !== before[1]) this.player.hand.move(place, [place[0] - before[0], place[1] - before[1]], event.timeStamp);
+      this.player.hand.letGo(event.timeStamp);
+    }
     this.#end(event);
-    if (!start) return;
-    const length = Math.hypot(place[0] - start.place[0], place[1] - start.place[1]);
-    if (length < kTap) this.player.tap(place);
-    else if (start.isOnBook) this.#throw(event.timeStamp, place);
+    if (isTap) this.player.tap(place);
+    else if (start?.isOnBook && !start.isHeld) this.#add(event.timeStamp, place);
   }
 
   #end(event) {
     this.touching.delete(event.pointerId);
+    this.player.hand.putBack();
     this.player.showHand(null);
     this.start = null;
   }
 
-  /** The book turns as if the hand held its surface until it let go. */
-  #throw(now, place) {
+  /** Adds to the book's spin, as if the hand held its surface until it let go. */
+  #add(now, place) {
     const first = this.way.find(([time]) => now - time <= kThrowTime);
     if (!first) return;  // The hand held still before it let go.
     const passed = Math.max(now - first[0], 16) / 1000, radius = this.player.bookRadius(place);

@@ -51,7 +51,7 @@ class Stage {
     this.took = 0;
   }
 
-  /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, flick, scales}. */
+  /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, hand, flick, scales}. */
   draw(frame, state) {
     this.isMoving = state.clock.isPlaying;
     this.#fit(this.picture, this.scale);
@@ -80,7 +80,7 @@ class Stage {
     // A scene's angle is from bottom to top; an upright picture is narrower than that.
     const narrow = state.read.motions.length === 1 ? Math.max(area.height / area.width, 1) : 1;
     const orbit = {...state.orbit, distance: state.orbit.distance * narrow};
-    const sample = this.core.sample(kPlayed, i, frame);
+    const sample = state.hand.seen(i, this.core.sample(kPlayed, i, frame));
     return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
       ...this.core.camera(kPlayed, i, frame, area.width, area.height, orbit),
       ...this.#background(state.scene.explicit.look?.background ?? "studio")};
@@ -105,10 +105,35 @@ class Stage {
       const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, unit);
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
-      overlay.vectors(book.sample, motion, state.scales[i], shown);
+      const isHeld = state.hand.held?.book === i;
+      if (!isHeld) this.#drawWhy(overlay, i, frame, state, shown);
+      overlay.vectors(book.sample, motion, state.scales[i], isHeld ? {axes: shown.axes} : shown);
       if (state.flick) overlay.hand(...state.flick.map((place) => place.map((part) => part * unit)));
       context.restore();
     });
+  }
+
+  /** What says why the book turns over. */
+  #drawWhy(overlay, i, frame, state, shown) {
+    const motion = state.read.motions[i];
+    if (shown.poinsot) {
+      const poinsot = this.core.poinsot(kPlayed, i, frame, Math.round(kRollingTrail * state.read.rate[0] / state.read.rate[1]));
+      if (poinsot) new Rolling(overlay, poinsot, motion.moments, this.books[i].eye).draw();
+    }
+    if (shown.forces) drawForces(overlay, this.core.forces(kPlayed, i, frame), motion, state.scene.frameOf(i));
+  }
+
+  /** Returns the pixels of a metre across the view at a book's middle. [CSS pixels, or the picture's] */
+  pixelsOfMetre(index) {
+    const book = this.books[index], middle = middleOf(book.sample), [right] = Stage.axesOf(book.matrix);
+    const [a, b] = [0, 0.01].map((way) => projected(book.matrix, book.area, plus(middle, right, way)));
+    return a && b ? 100 * Math.hypot(a[0] - b[0], a[1] - b[1]) * this.box.width / this.picture.width : 0;
+  }
+
+  /** Returns where a book's middle is. [CSS pixels] */
+  middleOfBook(index) {
+    const book = this.books[index], factor = this.box.width / this.picture.width;
+    return (projected(book.matrix, book.area, middleOf(book.sample)) ?? [0, 0]).map((part) => part * factor);
   }
 
   #placeLabels(motions, areas) {

@@ -1,12 +1,32 @@
-// Throws and jiggles: each is a nudge of the scene, at the picture's time.
+// Throws begin the motion anew; what is added to a spin, and jiggles, are nudges of the scene at the picture's time.
 
 const kJiggle = 0.15;   // Share of the spin.
+const kThrows = {x: "middle", y: "smallest", z: "largest"};  // The book's axes, and their moments.
 const kSeenAfter = 10;  // A throw near the end lengthens the clip by so much. [s]
 
 class Throws {
   /** `player`: with core, scene, read, book, frame, timeOf(frame), isWaiting, clock, drawing, announcer and apply(tree, options). */
   constructor(player) {
     this.player = player;
+  }
+
+  /** Throws the book about an axis, another body about the one of that moment. */
+  throwAbout(axis) {
+    const {scene, book} = this.player;
+    const trees = scene.isOfBook(book) ? [scene.withStartAbout(book, axis)] : kAxes.map((toward) => scene.withStartAboutMoment(book, kThrows[axis], toward));
+    trees.some((tree) => this.#begin(tree, book));  // No axis can be tilted toward itself.
+  }
+
+  /** Throws a book from rest: it lies as `attitude` says and is spun by `velocity` in its own axes. [rad/s] */
+  throwFrom(book, attitude, velocity) {
+    this.#begin(this.player.scene.withThrow(book, attitude, velocity), book);
+  }
+
+  /** Returns whether the core takes it. */
+  #begin(tree, book) {
+    const {player} = this, isThrown = player.apply(tree, {frame: 0, isPlaying: true});
+    if (isThrown) player.outcome.expect(player.core.spin(kPlayed, book));
+    return isThrown;
   }
 
   /** Adds to the spin about the picture's right and up. [rad/s] */
@@ -25,6 +45,14 @@ class Throws {
     this.#nudge(across.map((part) => kJiggle * size * part / length), (time) => say("Jiggled at {time}", {time}));
   }
 
+  /** Returns a vector of the picture along axes that a nudge can state, and these: a camera that turns has others than the world. */
+  #alongStated(velocity) {
+    const {drawing, scene} = this.player;
+    if (scene.frameOf(0) === "world") return [velocity, "world"];
+    const attitude = drawing.books[0].sample.subarray(kSample.attitude, kSample.attitude + 4);
+    return [turned(undone([...attitude]), velocity), "body"];
+  }
+
   #nudge(velocity, done) {
     const {player} = this, {frame} = player;
     if (player.isWaiting) {
@@ -32,11 +60,11 @@ class Throws {
       return;
     }
     const at = Number((player.timeOf(frame) || player.read.interval / 2).toPrecision(9));
-    const rounded = velocity.map((part) => Number(part.toPrecision(4)) || 0);
+    const [along, axes] = this.#alongStated(velocity), rounded = along.map((part) => Number(part.toPrecision(4)) || 0);
     if (rounded.every((part) => part === 0)) return;
     try {
       const end = frame / player.clock.rate + kSeenAfter;
-      const isThrown = player.apply(player.scene.withNudge(at, rounded, end), {isPlaying: true});
+      const isThrown = player.apply(player.scene.withNudge(at, rounded, axes, end), {isPlaying: true});
       if (isThrown) player.announcer.announce(done(seconds(at)));
     } catch (error) {
       player.announcer.show(error.message, "bad");

@@ -1,5 +1,6 @@
 // The time line: the kept motion as a curve of tilt, with half-turns and throws, and a slider over it.
 
+const kSlowest = 0.25, kSlowFrom = 15;  // Of the speed; of the tilt, down to the slowest at twice as much [degrees].
 const kBookColours = ["#8fc7f0", "#f0b070", "#7fd6ab", "#dba3da", "#dcc664", "#f2978d"];
 
 class Timeline {
@@ -29,6 +30,16 @@ class Timeline {
         this.isStale = true;
       }
     });
+  }
+
+  /** Returns the share of its speed at which a motion that turns over is seen, less while it does: at the tilt of a book that is on its way. */
+  slowness(frame) {
+    const shares = this.tracks.map((track, motion) => {
+      if (!this.events.some((event) => event.motion === motion && event.halfTurns)) return 1;
+      const {tilt} = track[Math.min(frame, track.length - 1)], off = Math.min(tilt, 180 - tilt);
+      return 1 - (1 - kSlowest) * Math.max(0, Math.min((off - kSlowFrom) / kSlowFrom, 1));
+    });
+    return Math.min(...shares, 1);
   }
 
   /** `frames`: of the whole clip; `nudges`: shares of it at which the book was thrown; `isSecret`: without what will happen. */

@@ -3,8 +3,9 @@
 
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
+const path = require("node:path");
 const {test, before, after, describe} = require("node:test");
-const {startBrowser, closeBrowser, open, render, recordOf, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
+const {kOutput, startBrowser, closeBrowser, open, render, rotatebook, recordOf, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
 const {kScenes} = require("./shipped.cjs");
 
 before(() => startBrowser());
@@ -41,13 +42,55 @@ test("opens with the exact motion, which turns over as often after a flick", asy
 });
 
 describe("choices", () => {
-  test("start about x, y and z", async () => {
-    const {page, close, choose} = await opened();
-    for (const [axis, velocity] of [["y", [0, 4, 0]], ["z", [0, 0, 4]], ["x", [4, 0, 0]]]) {
-      await choose("axis", axis);
+  test("three throws, and what follows from them by the program", async () => {
+    const {page, problems, close} = await opened();
+    await page.evaluate(() => {
+      window.told = [];
+      const region = document.querySelector(".rb-events");
+      new MutationObserver(() => told.push(region.textContent)).observe(region, {childList: true});
+    });
+    for (const [name, velocity, words] of [["like a door", [0, 4, 0], /^4\.0 rad\/s, 0\.8 degrees off the axis of the smallest moment: it spins on quietly\.$/],
+      ["like a wheel", [0, 0, 4], /^4\.0 rad\/s, 0\.8 degrees off the axis of the largest moment: it spins on quietly\.$/],
+      ["head over heels", [4, 0, 0], /^4\.0 rad\/s, 0\.8 degrees off the middle axis: it turns over about every (.*) s\.$/]]) {
+      await page.getByRole("button", {name}).click();
       assert.deepEqual((await sceneOf(page)).initial.angular_velocity, velocity);
-      assert.equal(await frameOf(page), 0);
+      await page.waitForFunction(() => rotatebook.player.frame > 5 && rotatebook.player.frame < 170, null, {polling: 20});
+      assert.ok(await page.locator(".rb-said").isHidden());
+      await page.locator(".rb-said").waitFor({state: "visible"});
+      assert.ok(await page.evaluate(() => rotatebook.player.timeOf(rotatebook.player.frame)) >= 3);
+      assert.match(await page.locator(".rb-said").textContent(), words);
+      assert.ok(await page.locator(".rb-hint").isHidden());
     }
+    await page.waitForFunction((words) => told.includes(words), await page.locator(".rb-said").textContent());
+    const scene = path.join(kOutput, "heels.toml");
+    fs.writeFileSync(scene, await page.evaluate(() => rotatebook.player.scene.text));
+    const [, interval] = /then every ([\d.]+) s/.exec(rotatebook("info", scene));
+    assert.match(await page.locator(".rb-said").textContent(), new RegExp(`every ${Number(interval).toPrecision(2)} s`));
+    await page.getByRole("button", {name: "why"}).click();
+    assert.ok(await page.locator(".rb-said").isVisible(), "it is the same throw");
+    await page.locator("[data-do=jiggle]").click();
+    assert.ok(await page.locator(".rb-said").isHidden(), "it is another motion");
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
+  test("other bodies are thrown about the axes of their moments", async () => {
+    const {page, close} = await opened();
+    assert.ok(await load(page, 'title = "t"\n[body]\nshape = "t-handle"\n[initial]\nangular_velocity = [4, 0, 0.1]\n'), await messageOf(page));
+    for (const [name, about] of [["like a door", "smallest"], ["like a wheel", "largest"], ["head over heels", "middle"]]) {
+      await page.getByRole("button", {name}).click();
+      assert.equal(await messageOf(page), "");
+      assert.equal((await sceneOf(page)).initial.angular_velocity.about, about);
+      assert.equal(await page.evaluate(() => rotatebook.player.core.spin(0, 0).axis), about);
+    }
+    await close();
+  });
+
+  test("of two books the one whose settings are shown is thrown", async () => {
+    const {page, close, choose} = await opened();
+    await choose("books", "same");
+    await page.getByRole("button", {name: "like a wheel"}).click();
+    assert.deepEqual((await sceneOf(page)).panel.map(({initial}) => initial.angular_velocity), [[4, 0, 0], [0, 0, 4]]);
     await close();
   });
 
@@ -124,7 +167,7 @@ describe("choices", () => {
     await page.waitForFunction(() => document.querySelectorAll(".rb-labels span").length === 2);
     await choose("books", "exact");
     assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["quaternion", "exact"], "the one that was edited stays");
-    await choose("axis", "z");
+    await page.keyboard.press("z");
     assert.deepEqual(await page.evaluate(() => rotatebook.player.scene.tree.panel.map((panel) => panel.initial.angular_velocity)), [[0, 0, 4], [4, 0, 0]]);
     await choose("books", "one");
     const scene = await sceneOf(page);
@@ -274,6 +317,8 @@ describe("keys", () => {
     await page.locator(".rb-lines").focus();
     await page.keyboard.press("z");
     assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
+    await page.keyboard.press("Space");
+    await page.keyboard.press("Home");
     await page.keyboard.press(".");
     assert.equal(await frameOf(page), 1);
     await page.keyboard.press(",");
@@ -299,6 +344,8 @@ describe("keys", () => {
     await page.locator(".rb-ball").focus();
     await page.keyboard.press("z");
     assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
+    await page.keyboard.press(" ");
+    await page.keyboard.press("Home");
     await page.keyboard.press(".");
     assert.equal(await frameOf(page), 1);
     await close();

@@ -58,7 +58,7 @@ describe("a clip that is proved", () => {
 
   test("isn't played over what was done meanwhile", async () => {
     const {page, close} = await open();
-    await openWhile(page, fileOf(render("slow", kSlow)), "rotatebook.player.startAbout('z')");
+    await openWhile(page, fileOf(render("slow", kSlow)), "rotatebook.player.throwAbout('z')");
     assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
     assert.match(await messageOf(page), /so it isn’t played; drop it again/);
     await close();
@@ -150,7 +150,7 @@ describe("a question", () => {
   });
 
   test("goes when another scene comes", async () => {
-    for (const change of ["rotatebook.player.startAbout('y')", `rotatebook.player.load(${JSON.stringify(kTurns)})`]) {
+    for (const change of ["rotatebook.player.throwAbout('y')", `rotatebook.player.load(${JSON.stringify(kTurns)})`]) {
       const {page, close} = await ask();
       await page.evaluate(change);
       assert.ok(await page.locator(".rb-question").isHidden());
@@ -185,7 +185,7 @@ test("an address that holds a scene follows its changes", async () => {
   await page.evaluate(async (text) => { location.hash = await rotatebook.hashOf(text); }, kTurns);
   await page.waitForFunction(() => rotatebook.player.scene.tree.title === "A book that turns over");
   const hash = await page.evaluate(() => location.hash);
-  await page.evaluate(() => rotatebook.player.startAbout("z"));
+  await page.evaluate(() => rotatebook.player.throwAbout("z"));
   await page.waitForFunction((before) => location.hash !== before, hash);
   const other = await open({}, {hash: await page.evaluate(() => location.hash)});
   assert.deepEqual((await sceneOf(other.page)).initial.angular_velocity, [0, 0, 6]);

@@ -69,7 +69,7 @@ test("scenes that come and go leave nothing", async () => {
   const after = (count) => page.evaluate(async (times) => {
     const player = rotatebook.player;
     for (let i = 0; i < times; ++i) {
-      player.startAbout("xyz"[i % 3]);
+      player.throwAbout("xyz"[i % 3]);
       player.setBooks(["same", "exact", "one"][i % 3]);
       if (i % 10 === 0) await new Promise((resolve) => { setTimeout(resolve); });
     }

@@ -45,7 +45,7 @@ async function difference(page, png, time, orbit = 0) {
   }, {address: data, size: kSize, seconds: time, angle: orbit});
 }
 
-const kMoments = [{name: "fig05-unstable-x", time: 4.2}, {name: "fig01-axes", time: 2}, {name: "fig08-neither", time: 4.2}];
+const kMoments = [{name: "fig05-unstable-x", time: 4.2}, {name: "fig01-axes", time: 2}, {name: "fig08-neither", time: 4.2}, {name: "disc-tips", time: 2}];
 
 for (const {name, time} of kMoments) {
   test(`${name} looks like the program's still`, async () => {

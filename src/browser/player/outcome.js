@@ -1,0 +1,47 @@
+// One line after a throw: what was done, and what follows from it.
+
+const kSaidAfter = 3;  // [s]
+const kQuiet = 10;     // A spin as near to its axis goes on quietly. [degrees]
+const kAxisNames = {smallest: say("the axis of the smallest moment"), middle: say("the middle axis"), largest: say("the axis of the largest moment")};
+
+/** Returns what a body does that is spun so; `spin`: of the core. */
+function outcomeOf({axis, offAxis, isSteady, flipInterval}) {
+  if (flipInterval) {
+    const often = Math.round(1 / flipInterval);
+    if (often > 1) return say("it turns over about {count} times a second", {count: often});
+    if (flipInterval < 1.5) return say("it turns over about once a second");
+    return say("it turns over about every {time} s", {time: say.number(flipInterval.toPrecision(2))});
+  }
+  if (isSteady && axis === "middle") return say("nothing disturbs it, so it spins on");
+  return offAxis < kQuiet ? say("it spins on quietly") : say("it wobbles, but doesn’t turn over");
+}
+
+class Outcome {
+  /** `line`: the paragraph that says it, in place of `hint`. */
+  constructor(line, hint, announcer) {
+    Object.assign(this, {line, hint, announcer});
+    this.words = "";
+  }
+
+  /** After a throw with this spin. */
+  expect(spin) {
+    const speed = say.number(spin.speed < 10 ? spin.speed.toFixed(1) : Math.round(spin.speed));
+    const angle = say.number(spin.offAxis < 1 ? Number(spin.offAxis.toPrecision(1)) : Math.round(spin.offAxis));
+    this.words = say("{speed} rad/s, {angle} degrees off {axis}: {outcome}.", {speed, angle, axis: kAxisNames[spin.axis], outcome: outcomeOf(spin)});
+  }
+
+  /** Another motion comes. */
+  forget() {
+    this.words = "";
+    this.line.hidden = true;
+  }
+
+  /** Called as time passes. [s] */
+  tick(time) {
+    if (!this.words || !this.line.hidden || time < kSaidAfter) return;
+    this.line.textContent = this.words;
+    this.line.hidden = false;
+    this.hint.hidden = true;
+    this.announcer.announce(this.words);
+  }
+}

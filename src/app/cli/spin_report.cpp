@@ -57,13 +57,18 @@ std::string spinText(const Spin& spin) {
                                           : line;
 }
 
-std::string stabilityText(const Spin& spin) {
+std::string stabilityText(const SpinNumbers& numbers) {
+  const Spin& spin = numbers.spin;
   if (spin.growth) {
     return fmt::format("unstable: small deviations grow as e^({} t), tenfold in {} s",
                        text(*spin.growth), text(std::numbers::ln10 / *spin.growth));
   }
-  return fmt::format("stable: small deviations circle the axis at {} rad/s, once in {} s",
-                     text(*spin.oscillation), text(2 * pi / *spin.oscillation));
+  const bool isDrivenOff =
+      numbers.motion.simulation.dissipates() && spin.regime == Regime::AboutSmallest;
+  return fmt::format("{}: small deviations circle the axis at {} rad/s, once in {} s{}",
+                     isDrivenOff ? "unstable by its dissipation" : "stable",
+                     text(*spin.oscillation), text(2 * pi / *spin.oscillation),
+                     isDrivenOff ? ", and grow" : "");
 }
 
 std::string phasesText(const SpinPeriod& period) {
@@ -107,7 +112,7 @@ struct Line {
 std::vector<Line> linesOn(const SpinNumbers& numbers) {
   const Spin& spin = numbers.spin;
   std::vector<Line> lines{{"spin", spinText(spin)}};
-  if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(spin)});
+  if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(numbers)});
   if (spin.period) {
     const std::string circled = axisText(spin, circledAxis(spin));
     const SpinPeriod& period = *spin.period;
@@ -184,8 +189,9 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
         "the spin is exactly on the separatrix: it turns over once at most, and has no period");
   }
   if (spin.equal == EqualMoments::TwoSmallest || spin.equal == EqualMoments::TwoLargest) {
-    remarks.emplace_back(
-        "two moments are equal: no axis is unstable, nothing flips, and there is no separatrix");
+    remarks.push_back(fmt::format(
+        "two moments are equal: {}no axis is unstable, nothing flips, and there is no separatrix",
+        numbers.motion.simulation.dissipates() ? "without dissipation " : ""));
   }
   if (!numbers.motion.nudges.empty()) {
     remarks.push_back(fmt::format("the numbers are those before the first nudge, at {} s",

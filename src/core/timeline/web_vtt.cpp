@@ -74,9 +74,7 @@ std::vector<TimedText> timed(const scene::Scene& scene, const std::vector<ClipEv
     const double next =
         i + 1 < events.size() ? static_cast<double>(events[i + 1].frame) * period : end;
     const double last = std::clamp(next - kGap, start + kShortest, start + kLongest);
-    // Players show those at the end on the last picture, at which they stop.
-    texts.push_back({start, std::max(std::min(last, end), start + kShortest),
-                     eventText(events[i], scene.overlay.words)});
+    texts.push_back({start, std::min(last, end), eventText(events[i], scene.overlay.words)});
   }
   return texts;
 }

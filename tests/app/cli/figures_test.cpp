@@ -82,7 +82,7 @@ const std::vector<Twin> kTwins{
     {"bodies/earth", {"simulation.dissipation=0"}},
     {"bodies/earth", {"panel.0.body.part.0.dimensions={ x = 0.3, y = 0.3, z = 0.300984 }"}},
     {"bodies/explorer-1", {"panel.0.simulation.dissipation=0"}},
-    {"bodies/explorer-1", {"panel.1.simulation.dissipation=0.0213"}},
+    {"bodies/explorer-1", {"panel.1.simulation.dissipation=6.39"}},
     {"bodies/knot", {"panel.1.initial.angular_velocity={about=\"largest\", value=5}"}},
     {"bodies/mallet", {"initial.angular_velocity={about=\"largest\", value=9}"}},
     {"bodies/particles-beside-rigid",

@@ -97,6 +97,22 @@ TEST(SpinReport, SaysWhereALossOfEnergyEnds) {
                           HasSubstr("a spin about an axis of the largest moment at 1 rad/s")));
 }
 
+TEST(SpinReport, CallsASpinUnstableThatALossOfEnergyDrivesOffItsAxis) {
+  const auto report = [](const std::string& spin) {
+    std::ostringstream out;
+    reportSpin(spinNumbersOf(sceneWith("simulation.dissipation = 2e-6\n"
+                                       "body.inertia = [0.5, 0.75, 1]\n"
+                                       "initial.tilt = [0.01, 'y']\n"
+                                       "initial.angular_velocity = " +
+                                       spin))
+                   .front(),
+               out);
+    return out.str();
+  };
+  EXPECT_THAT(report("[4, 0, 0]"), HasSubstr("unstable by its dissipation: small deviations"));
+  EXPECT_THAT(report("[0, 0, 4]"), HasSubstr("  stable: small deviations"));
+}
+
 TEST(SpinReport, SaysHowManyStepsArentEnough) {
   SpinNumbers numbers = spinNumbersOf(sceneWith(kTumbling)).front();
   numbers.euler = timeline::EulerSteps{.substeps = {}, .tried = 64, .step = 1e-4};

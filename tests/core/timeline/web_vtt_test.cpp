@@ -35,9 +35,8 @@ TEST(WebVtt, ShowsAnEventUntilTheNextOrTheEnd) {
             "00:00:07.000 --> 00:00:07.950 line:0\n7.00 s: c\n");
 }
 
-TEST(WebVtt, ShowsTheLastFrameForAWhile) {
-  // Not before it has happened
-  EXPECT_THAT(vttOf({event(79, "end")}), HasSubstr("00:00:07.900 --> 00:00:08.700 line:0\n7.90 s"));
+TEST(WebVtt, EndsWithTheClip) {
+  EXPECT_THAT(vttOf({event(79, "end")}), HasSubstr("00:00:07.900 --> 00:00:08.000 line:0\n7.90 s"));
 }
 
 TEST(WebVtt, HoldsWordsAsWords) {

@@ -34,7 +34,7 @@ describe("the page", () => {
     const said = await page.evaluate(() => {
       const texts = [], walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
       for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-        if (!node.parentElement.closest("script, style, pre")) texts.push(node.data.trim());
+        if (!node.parentElement.closest("script, style, pre, .name")) texts.push(node.data.trim());
       }
       for (const name of ["aria-label", "title", "aria-valuetext", "alt", "label"]) {
         for (const element of document.body.querySelectorAll(`[${name}]`)) texts.push(element.getAttribute(name));

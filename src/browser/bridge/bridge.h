@@ -53,7 +53,8 @@ std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
 
 /// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of
 /// what follows from it: {"rate": [n, d], "interval": simulated seconds a frame, "motions":
-/// [{"label", "model", "body": [x, y, z], "springs": [[i, j, length]], "moments": [3]}], "captions":
+/// [{"label", "model", "body": [x, y, z], "springs": [[i, j, length]], "moments": [3]}],
+/// "captions":
 /// [[frame, text]]: those in time, in their order}. Positive
 /// length; negative with the message, and the slot keeps what it holds. Motions of more than
 /// kMaxFrames frames are refused. A scene whose scene::motionText() is that of the slot's former

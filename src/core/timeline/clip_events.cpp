@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/measure/measurement.h"
+
 namespace rotatebook::timeline {
 namespace {
 
@@ -20,7 +22,8 @@ class Listener {
       addNudges(samples[i - 1].time, samples[i].time, i);
       // Twice within a frame is one event, with the count after it.
       if (samples[i].halfTurns == samples[i - 1].halfTurns) continue;
-      add(i, samples[i].time, numbered(Word::Flip, samples[i].halfTurns));
+      add(i, physics::halfTurnTime(samples[i - 1], samples[i]),
+          numbered(Word::Flip, samples[i].halfTurns));
     }
     if (trajectory_.divergedAt) {
       add(samples.size(), *trajectory_.divergedAt, words_[Word::Burst]);

@@ -47,6 +47,13 @@ TEST(ClipEvents, TellOfEachHalfTurn) {
               ElementsAre("1 0.1 flip 21", "2 0.2 flip 111"));
 }
 
+TEST(ClipEvents, TellOfAHalfTurnWhenItIsNotWhenAFrameShowsIt) {
+  physics::Trajectory motion = turning({0, 0, 1});
+  motion.samples[1].tiltDeg = 115;
+  motion.samples[2].tiltDeg = 125;
+  EXPECT_THAT(eventsOf({}, {motion}), ElementsAre("2 0.15 flip 1"));
+}
+
 TEST(ClipEvents, TellWhenNothingTurnsOver) {
   EXPECT_THAT(eventsOf({}, {turning({0, 0, 0})}), ElementsAre("2 0.2 no flip"));
 }
@@ -77,7 +84,7 @@ TEST(ClipEvents, AreOfTheMotionThatTheClipShows) {
       "scenes/a.toml");
   // At half the speed, 2.45 s of the motion are 4.9 s of the clip.
   const ClipMotion motion = simulateScene(scene);
-  EXPECT_THAT(eventsOf(scene, motion.trajectories()), ElementsAre("49 2.45 flip 1"));
+  EXPECT_THAT(eventsOf(scene, motion.trajectories()), ElementsAre("49 2.423 flip 1"));
 }
 
 }  // namespace

@@ -67,10 +67,13 @@ class PartsOfFrame {
 };
 
 Course::Course(const MotionSettings& settings)
-    : attitude_(initialAttitude(settings.initial)),
-      nudges_(withoutAttitude(settings).nudges),
-      steps_(settings.simulation.steps()),
-      simulator_(makeSimulator(withoutAttitude(settings))) {}
+    : Course(initialAttitude(settings.initial), withoutAttitude(settings)) {}
+
+Course::Course(const std::optional<Eigen::Matrix3d>& attitude, const MotionSettings& upright)
+    : attitude_(attitude),
+      nudges_(upright.nudges),
+      steps_(upright.simulation.steps()),
+      simulator_(makeSimulator(upright)) {}
 
 BodyState Course::at(double time) {
   const BodyState state = unturned(time);

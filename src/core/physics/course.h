@@ -25,6 +25,7 @@ class Course {
   BodyState at(double time);
 
  private:
+  Course(const std::optional<Eigen::Matrix3d>& attitude, const MotionSettings& upright);
   double startOf(std::int64_t frame) const { return static_cast<double>(frame) * steps_.time; }
   void makeFrame();
   void advanceWithin(Simulator& simulator, double time) const;

@@ -39,6 +39,11 @@ for look in studio stars white '#2b5d8a'; do
   draw "look-${look#\#}" scenes/starter.toml --time 2.2 --set 'overlay.show=[]' --set "look.background=$look"
 done
 draw look-cloth scenes/starter.toml --time 2.2 --set 'overlay.show=[]' --set 'book.color="#2b5d8a"'
+for frame in world body momentum turning; do
+  draw "frame-$frame" scenes/starter.toml --time 1.5 --set 'overlay.show=[]' --set look.background=stars \
+    --set "camera.frame=$frame"
+done
+draw sink scenes/bodies/explorer-1.toml --time 9
 for moments in 1 8; do
   draw "look-blur-$moments" scenes/starter.toml --time 2.2 --set 'overlay.show=[]' \
     --set initial.angular_velocity='["1.5 turn/s", 0, 0]' --set look.motion_blur=$moments

@@ -29,8 +29,10 @@ vec3 star(ivec2 cell, vec2 point, float pixel) {
   vec4 random = random4(cell);
   if (random.x > kStarShare) return vec3(0.0);
   float magnitude = random.x / kStarShare;
-  float brightness = 0.14 + 0.86 * pow(magnitude, 5.0);
-  float radius = max(0.022 + 0.03 * pow(magnitude, 7.0), 0.6 * pixel);
+  float square = magnitude * magnitude;
+  float fifth = square * square * magnitude;  // pow() takes twice as long.
+  float brightness = 0.14 + 0.86 * fifth;
+  float radius = max(0.022 + 0.03 * fifth * square, 0.6 * pixel);
   vec2 offset = point - vec2(cell) - 0.15 - 0.7 * random.yz;
   vec3 tint = mix(vec3(1.0, 0.86, 0.70), vec3(0.75, 0.86, 1.0), random.w);
   return tint * brightness * exp(-dot(offset, offset) / (radius * radius));
@@ -54,9 +56,11 @@ void main() {
     point = onCube(direction);
   }
   vec3 light = kSky;
-  ivec2 cell = ivec2(floor(point));
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) light += star(cell + ivec2(x, y), point, pixel);
+  // The four nearest cells: another's star is 0.65 away or more, thrice the largest radius even in
+  // pictures of 160 pixels.
+  ivec2 cell = ivec2(floor(point - 0.5));
+  for (int y = 0; y <= 1; ++y) {
+    for (int x = 0; x <= 1; ++x) light += star(cell + ivec2(x, y), point, pixel);
   }
   colour = vec4(light, 1.0);
 }

@@ -156,8 +156,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
                    "Discard frames of an unfinished render; with --resume, only those of other "
                    "settings; with --frames, none");
   addOption(command, "-j,--jobs", "N", arguments.atATime,
-            "Scenes to render at a time; by default one for every 3 cores, as many as fit in a "
-            "quarter of the memory")
+            "Scenes to render at a time; by default two, or one for every 3 cores, as many as fit "
+            "in a quarter of the memory")
       ->check(CLI::Range(1, 64));
   command.add_flag("--json", arguments.json, "Print one JSON object: what was made and measured");
   arguments.sceneOptions.addTo(command);

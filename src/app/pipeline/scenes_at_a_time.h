@@ -7,8 +7,8 @@
 
 namespace rotatebook::pipeline {
 
-/// Returns how many of `scenes` to render at a time, at least 1: one for every three of `cores`, as
-/// many as fit in a quarter of `memory`. [bytes]
+/// Returns how many of `scenes` to render at a time, at least 1: one for every three of `cores`,
+/// but two for as few as two, as many as fit in a quarter of `memory`. [bytes]
 int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory);
 
 }  // namespace rotatebook::pipeline

@@ -1,5 +1,6 @@
 #include "body/solid_pieces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -29,8 +30,9 @@ std::uint32_t addPoint(const Vector3d& point, TriangleMesh& mesh) {
 /// Joins two rings of points, or a ring and a pole, which has one point.
 void joinRings(const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to,
                TriangleMesh& mesh) {
-  for (std::size_t i = 0; i < kSides; ++i) {
-    const std::size_t next = (i + 1) % kSides;
+  const std::size_t sides = std::max(from.size(), to.size());
+  for (std::size_t i = 0; i < sides; ++i) {
+    const std::size_t next = (i + 1) % sides;
     const auto at = [](const auto& ring, std::size_t k) {
       return ring.size() > 1 ? ring[k] : ring[0];
     };
@@ -70,9 +72,9 @@ Vector2d onCircle(int i, int sides) {
   }
 }
 
-TriangleMesh turnedRound(std::span<const Vector2d> outline) {
+TriangleMesh turnedRound(std::span<const Vector2d> outline, int sides) {
   TriangleMesh mesh;
-  const double growth = growthOf(kSides);
+  const double growth = growthOf(sides);
   std::vector<std::vector<std::uint32_t>> rings;
   for (const Vector2d& point : outline) {
     auto& ring = rings.emplace_back();
@@ -80,8 +82,8 @@ TriangleMesh turnedRound(std::span<const Vector2d> outline) {
       ring.push_back(addPoint({0, 0, point.y()}, mesh));
       continue;
     }
-    for (int i = 0; i < kSides; ++i) {
-      const Vector2d around = onCircle(i, kSides) * (point.x() * growth);
+    for (int i = 0; i < sides; ++i) {
+      const Vector2d around = onCircle(i, sides) * (point.x() * growth);
       ring.push_back(addPoint({around.x(), around.y(), point.y()}, mesh));
     }
   }
@@ -146,20 +148,20 @@ SolidPiece ringOf(double radius, double sectionRadius) {
           around(2 * kPi.high * kPi.high * radius * section, {across, across, section / 4})};
 }
 
-SolidPiece ellipsoidOf(const Vector3d& size) {
+SolidPiece ellipsoidOf(const Vector3d& size, int sides) {
   // The polygon of a half circle, turned round, has a volume short of the ball's: the cones between
   // heights z, w and radii r, s have (w - z) (r^2 + r s + s^2) / 3 of pi.
   std::vector<Vector2d> outline;
   double thirds = 0;
-  for (int i = -kSides / 4; i <= kSides / 4; ++i) {
-    outline.push_back(onCircle((i + kSides) % kSides, kSides));
-    if (i == -kSides / 4 || i == kSides / 4) outline.back().x() = 0;
+  for (int i = -sides / 4; i <= sides / 4; ++i) {
+    outline.push_back(onCircle((i + sides) % sides, sides));
+    if (i == -sides / 4 || i == sides / 4) outline.back().x() = 0;
     if (outline.size() < 2) continue;
     const Vector2d &a = outline[outline.size() - 2], &b = outline.back();
     thirds += (b.y() - a.y()) * (a.x() * a.x() + a.x() * b.x() + b.x() * b.x());
   }
   const double larger = exponential(logarithm(4 / thirds) / 3);
-  TriangleMesh mesh = turnedRound(outline);
+  TriangleMesh mesh = turnedRound(outline, sides);
   for (Vector3d& point : mesh.points) point = (point * larger).cwiseProduct(size) / 2;
   return {mesh, around(kPi.high / 6 * size.prod(), size.cwiseAbs2() / 20)};
 }

@@ -23,11 +23,11 @@ SolidPiece prismOf(std::span<const Eigen::Vector2d> outline, double height);
 /// of 4.
 Eigen::Vector2d onCircle(int i, int sides);
 
-/// Returns an outline of (distance from the axis, height), turned round the axis z in kSides steps;
-/// counter-clockwise, distance to the right. [m] Where the distance is 0, the outline may begin and
-/// end; else it is a closed one. Distances grow by sqrt(x / sin x), x = 2 pi / kSides, so that the
-/// volume is exactly the round body's.
-TriangleMesh turnedRound(std::span<const Eigen::Vector2d> outline);
+/// Returns an outline of (distance from the axis, height), turned round the axis z in `sides`
+/// steps; counter-clockwise, distance to the right. [m] Where the distance is 0, the outline may
+/// begin and end; else it is a closed one. Distances grow by sqrt(x / sin x), x = 2 pi / `sides`,
+/// so that the volume is exactly the round body's.
+TriangleMesh turnedRound(std::span<const Eigen::Vector2d> outline, int sides = kSides);
 
 /// Returns a cylinder around the axis z and around the origin. [m]
 SolidPiece cylinderOf(double radius, double height);
@@ -35,8 +35,8 @@ SolidPiece cylinderOf(double radius, double height);
 SolidPiece tubeOf(double radius, double bore, double height);
 /// Returns a ring around the axis z with a round section. [m]
 SolidPiece ringOf(double radius, double sectionRadius);
-/// Returns an ellipsoid of these diameters around the origin. [m]
-SolidPiece ellipsoidOf(const Eigen::Vector3d& size);
+/// Returns an ellipsoid of these diameters around the origin. [m] `sides` is a multiple of 4.
+SolidPiece ellipsoidOf(const Eigen::Vector3d& size, int sides = kSides);
 
 /// Adds a solid, moved by `place`. [m]
 void addMoved(const SolidPiece& piece, const Eigen::Vector3d& place, SolidPiece& into);

@@ -25,11 +25,7 @@ class Listener {
       add(i, physics::halfTurnTime(samples[i - 1], samples[i]),
           numbered(Word::Flip, samples[i].halfTurns));
     }
-    if (trajectory_.divergedAt) {
-      add(samples.size(), *trajectory_.divergedAt, words_[Word::Burst]);
-    } else if (samples.back().halfTurns == 0) {
-      add(samples.size() - 1, samples.back().time, words_[Word::NoFlip]);
-    }
+    if (trajectory_.divergedAt) add(samples.size(), *trajectory_.divergedAt, words_[Word::Burst]);
     return events_;
   }
 

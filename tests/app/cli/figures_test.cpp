@@ -126,8 +126,6 @@ const std::vector<Twin> kTwins{
     {"comparisons/ninety-six", {"grid.rows.values.5.value=\"euler\""}},
     {"comparisons/ninety-six", {"grid.rows.values.6.value=\"euler\""}},
     {"comparisons/ninety-six", {"grid.rows.values.7.value=\"euler\""}},
-    {"comparisons/normalised", {"panel.0.simulation.normalize=false"}},
-    {"comparisons/normalised", {"panel.1.simulation.normalize=true"}},
     {"comparisons/recorded-defaults", {"panel.0.simulation.file=recordings/bullet.csv"}},
     {"comparisons/recorded-defaults", {"panel.1.simulation.file=recordings/simbody.csv"}},
     {"comparisons/recorded-defaults", {"panel.2.simulation.file=recordings/mujoco.csv"}},
@@ -137,8 +135,6 @@ const std::vector<Twin> kTwins{
     {"comparisons/recorded-engines", {"panel.3.simulation.file=recordings/simbody.csv"}},
     {"comparisons/recorded-engines", {"panel.4.simulation.file=recordings/mujoco.csv"}},
     {"comparisons/recorded-engines", {"panel.5.simulation.file=recordings/mujoco-rk4.csv"}},
-    {"comparisons/steps", {"panel.0.simulation.substeps=1"}},
-    {"comparisons/steps", {"panel.1.simulation.substeps=64"}},
     {"comparisons/tossed-book", {"panel.0.simulation.bias=[0.262, -0.332, 0.297]"}},
     {"comparisons/tossed-book", {"panel.1.simulation.bias=[0, 0, 0]"}},
     {"figures/fig02-in-space", {"panel.0.initial.angular_velocity={about=\"largest\", value=7}"}},
@@ -162,8 +158,6 @@ const std::vector<Twin> kTwins{
     {"figures/fig11-quaternion-unnormalized", kNormalized},
     {"figures/fig12-quaternion-pulsating", kNormalized},
     {"figures/figa-exact", {"simulation.model=\"quaternion\"", "simulation.integrator=\"euler\""}},
-    {"figures/figa-normalized-euler", {"simulation.substeps=64"}},
-    {"figures/figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
     {"figures/figh-rolling", {"initial.angular_velocity=[0, 0, 5]", "initial.tilt=[0.01, \"x\"]"}},
 };
 

@@ -88,8 +88,8 @@ TEST_F(Interrupt, BySignalsThatAreIgnoredIsNone) {
 
 TEST_F(Interrupt, StopsTheScenesThatFollow) {
   write("b.toml", kTiny);
-  EXPECT_EQ(interrupt(SIGINT, "out/tiny.partial/frame_00002.png", {"b.toml", "--no-mp4"}).status,
-            130);
+  const std::vector<std::string> oneAtATime{"b.toml", "--no-mp4", "-j", "1"};
+  EXPECT_EQ(interrupt(SIGINT, "out/tiny.partial/frame_00002.png", oneAtATime).status, 130);
   EXPECT_FALSE(has("out/b.csv"));
   EXPECT_FALSE(has("out/b.partial"));
 }

@@ -60,12 +60,13 @@ TEST(ClipFigure, HasItsWordsItsFilesAndItsData) {
 
 TEST(ClipFigure, TellsWhatHappensInCaptionsAndInAList) {
   const fs::path folder = emptyFolder();
-  makeClip(smallScene(), folder);
+  const scene::Scene scene = smallScene({"nudge=[{ at = 0.25, angular_velocity = [0, 0, 0.01] }]"});
+  makeClip(scene, folder);
   EXPECT_THAT(
-      readFigure(smallScene(), folder).section.text,
+      readFigure(scene, folder).section.text,
       AllOf(HasSubstr("src=\"data:text/"
-                      "vtt;charset=utf-8,WEBVTT%20rotatebook%0A%0A00%3A00%3A00.458%20--%3E"),
-            HasSubstr("<button type=\"button\" data-frame=\"11\">0.46 s: no flip<")));
+                      "vtt;charset=utf-8,WEBVTT%20rotatebook%0A%0A00%3A00%3A00.250%20--%3E"),
+            HasSubstr("<button type=\"button\" data-frame=\"6\">0.25 s: nudge 1<")));
 }
 
 TEST(ClipFigure, DistinguishesExpectedFromMeasured) {

@@ -16,11 +16,12 @@ scene::Scene ofSize(int width, int height) {
   return scene;
 }
 
-TEST(ScenesAtATime, AreOneForThreeCores) {
+TEST(ScenesAtATime, AreTwoAndOneForThreeCores) {
   const std::vector<scene::Scene> scenes{ofSize(1280, 720)};
   EXPECT_EQ(scenesAtATime(scenes, 1, 64 * kGigabyte), 1);
-  EXPECT_EQ(scenesAtATime(scenes, 5, 64 * kGigabyte), 1);
-  EXPECT_EQ(scenesAtATime(scenes, 6, 64 * kGigabyte), 2);
+  EXPECT_EQ(scenesAtATime(scenes, 2, 64 * kGigabyte), 2);
+  EXPECT_EQ(scenesAtATime(scenes, 8, 64 * kGigabyte), 2);
+  EXPECT_EQ(scenesAtATime(scenes, 9, 64 * kGigabyte), 3);
   EXPECT_EQ(scenesAtATime(scenes, 16, 64 * kGigabyte), 5);
 }
 

@@ -54,8 +54,8 @@ TEST(ClipEvents, TellOfAHalfTurnWhenItIsNotWhenAFrameShowsIt) {
   EXPECT_THAT(eventsOf({}, {motion}), ElementsAre("2 0.15 flip 1"));
 }
 
-TEST(ClipEvents, TellWhenNothingTurnsOver) {
-  EXPECT_THAT(eventsOf({}, {turning({0, 0, 0})}), ElementsAre("2 0.2 no flip"));
+TEST(ClipEvents, AreNoneWhereNothingTurnsOver) {
+  EXPECT_THAT(eventsOf({}, {turning({0, 0, 0})}), ElementsAre());
 }
 
 TEST(ClipEvents, TellOfNudgesAndTheEnd) {

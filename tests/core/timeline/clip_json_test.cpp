@@ -25,6 +25,7 @@ physics::Trajectory halving() {
   physics::Sample& second = trajectory.samples[1];
   first.kinetic = 3;
   first.potential = 1;
+  second.time = 0.5;
   second.kinetic = 2;
   second.tiltDeg = 1.0 / 3;
   second.errorDeg = kInfinity;
@@ -42,6 +43,7 @@ TEST(ClipJson, HoldsEachSampleOfEachMotion) {
   scene.clip.frameRate = {30000, 1001};
   scene.motions.resize(2);
   scene.motions[0].label = "a";
+  scene.motions[0].nudges.push_back({.at = 0.5});
   scene.motions[1].label = "<b>";
   const std::string json = jsonOf(scene, 2);
   EXPECT_TRUE(rotatebook::isResultOf("clip", json));
@@ -56,7 +58,7 @@ TEST(ClipJson, HoldsEachSampleOfEachMotion) {
           R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}, )"
           R"({"label": "\u003Cb>", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
           R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}]})"));
-  EXPECT_THAT(json, HasSubstr(R"("events": [{"frame": 1, "time_s": 0, "label": "a", )"));
+  EXPECT_THAT(json, HasSubstr(R"("events": [{"frame": 1, "time_s": 0.5, "label": "a", )"));
 }
 
 TEST(ClipJson, HoldsTheTimesOfFramesWhereTheSpeedChanges) {

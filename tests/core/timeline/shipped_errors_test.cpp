@@ -95,7 +95,7 @@ double flipIntervalOf(const std::string& name, std::size_t motion = 0) {
 // What captions say of exact motions that aren't theirs, or by what is between two flips.
 TEST(ShippedCaptions, SayTheExactTimeFromFlipToFlip) {
   for (const char* name : {"figures/fig05-unstable-x", "figures/fig09-matrix", "comparisons/models",
-                           "comparisons/steps", "comparisons/matrix-steps"}) {
+                           "comparisons/matrix-steps"}) {
     EXPECT_NEAR(flipIntervalOf(name), 7.6, 0.05) << name;  // measured 7.601
   }
   EXPECT_NEAR(flipIntervalOf("figures/figa-exact"), 3, 0.05);      // measured 2.971

@@ -58,9 +58,10 @@ TEST(WebVtt, IsInThePicturesLanguage) {
   scene::Words german = scene::germanWords();
   EXPECT_EQ(eventText({1, 4.067, "", german[scene::Word::Flip] + " 1"}, german),
             "4,07 s: Überschlag 1");
-  const scene::Scene scene = slideshow("overlay.words = 'german'\n");
+  const scene::Scene scene =
+      slideshow("overlay.words = 'german'\n[[nudge]]\nat = 1\nangular_velocity = [0, 0, 1]\n");
   EXPECT_THAT(webVtt(scene, eventsOf(scene, simulateScene(scene)), 80),
-              HasSubstr("7,90 s: kein Überschlag"));
+              HasSubstr("1,00 s: Stoß 1"));
 }
 
 }  // namespace

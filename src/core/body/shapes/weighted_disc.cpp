@@ -22,8 +22,10 @@ struct WeightedDisc {
   double radius, heavy, light;
 };
 
+/// Returns a ball, as smooth at its size as the disc is at its own.
 SolidPiece ballOf(double radius) {
-  return ellipsoidOf(Eigen::Vector3d::Constant(2 * radius));
+  constexpr int kBallSides = 48;
+  return ellipsoidOf(Eigen::Vector3d::Constant(2 * radius), kBallSides);
 }
 
 std::vector<PointMass> discWeights(std::span<const double> lengths) {

@@ -8,7 +8,7 @@ const {startBrowser, closeBrowser, open} = require("./made_page.cjs");
 before(startBrowser);
 after(closeBrowser);
 
-const kIds = ["turns", "bursts", "pair", "book", "steps"];
+const kIds = ["turns", "bursts", "pair", "book", "matrix-steps"];
 const kPadding = 16;  // the page's scroll-padding-top [CSS pixels]
 const kMaxOff = 2;  // [CSS pixels]; measured 0.5
 const kSettled = 700;  // [ms]; plots that come near the window are drawn sooner

@@ -88,7 +88,7 @@ describe("the look", () => {
     for (const viewport of [kPhone, kSmallPhone]) {
       const {page, problems, close} = await open({viewport, isMobile: true, hasTouch: true});
       for (const id of ["turns", "pair"]) await openClip(page, id);
-      await page.locator("#steps").scrollIntoViewIfNeeded();
+      await page.locator("#matrix-steps").scrollIntoViewIfNeeded();
       await page.locator("details").evaluateAll((all) => all.forEach((one) => { one.open = true; }));
       const {content, tables, verdicts} = await page.evaluate(() => {
         const boxes = (selector) => [...document.querySelectorAll(selector)].map((element) => element.getBoundingClientRect());

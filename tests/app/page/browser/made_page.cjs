@@ -58,7 +58,7 @@ label = "exact"
 simulation.model = "exact"
 expect.rotational_ratio = { min = 0.999999, max = 1.000001, from = 0.125, to = 0.375 }
 `,
-  "normalised.toml": `title = "Folded away"
+  "recorded-defaults.toml": `title = "Folded away"
 [initial]
 angular_velocity = [5.0, 3.0, 1.0]
 [clip]
@@ -76,7 +76,7 @@ angular_velocity = [4.0, 0.0, 0.0]
 size = [160, 90]
 duration = 1
 `,
-  "steps.toml": `title = "Two integrators"
+  "matrix-steps.toml": `title = "Two integrators"
 caption = "A study."
 [initial]
 angular_velocity = [2.0, 3.0, -4.0]
@@ -112,9 +112,9 @@ function makePage() {
   for (const folder of [kOut, kMoving]) fs.rmSync(folder, {recursive: true, force: true});
   fs.writeFileSync(path.join(kOutput, "moves.toml"), kScenes["pair.toml"].replace("Two models", "Two models, moving"));
   for (const [name, text] of Object.entries(kScenes)) fs.writeFileSync(path.join(kOutput, name), text);
-  render("turns.toml", "bursts.toml", "pair.toml", "normalised.toml", "-o", kOut);
+  render("turns.toml", "bursts.toml", "pair.toml", "recorded-defaults.toml", "-o", kOut);
   rotatebook("still", "book.toml", "--time", "0", "-o", path.join(kOut, "book.png"));
-  rotatebook("study", "steps.toml", "-o", kOut);
+  rotatebook("study", "matrix-steps.toml", "-o", kOut);
   const fragment = path.join(kOutput, "fragment.html");
   fs.writeFileSync(fragment, "<h2>The live book</h2>");
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut, "--live", fragment);

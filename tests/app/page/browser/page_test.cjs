@@ -76,8 +76,8 @@ describe("the page", () => {
     assert.match(rows[0], /half_turns\s+how many times.*\s+at most 3\s+\d\s+✓ met/);
     assert.match(rows[1], /tilt_deg\s+angle between.*\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ not met/);
     assert.match(await page.locator("#turns > header").innerText(), /1 of 2 expectations met/);
-    await page.locator("#steps .expectations summary").click();
-    assert.match(await page.locator("#steps .checks").innerText(), /order of rk4\s+power of the step.*\s+at least 3\s+[34]\.\d+\s+✓ met/);
+    await page.locator("#matrix-steps .expectations summary").click();
+    assert.match(await page.locator("#matrix-steps .checks").innerText(), /order of rk4\s+power of the step.*\s+at least 3\s+[34]\.\d+\s+✓ met/);
     assert.match(await page.locator("#bursts .note").innerText(), /diverges at 0\.\d+ s/);
     await close();
   });
@@ -97,9 +97,9 @@ describe("the page", () => {
   test("folds expectations away, but not unmet ones", async () => {
     const {page, close} = await open();
     const openOnes = await page.locator(".expectations").evaluateAll((all) => all.map((one) => [one.closest(".figure").id, one.open]));
-    assert.deepEqual(openOnes, [["turns", true], ["steps", false], ["pair", true]]);
-    assert.equal(await page.locator("#steps .expectations summary").innerText(), "1 of 1 expectation met");
-    assert.ok(await page.locator("#steps .checks").isHidden());
+    assert.deepEqual(openOnes, [["turns", true], ["matrix-steps", false], ["pair", true]]);
+    assert.equal(await page.locator("#matrix-steps .expectations summary").innerText(), "1 of 1 expectation met");
+    assert.ok(await page.locator("#matrix-steps .checks").isHidden());
     const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector(".name").innerText, one.innerText]));
     assert.deepEqual(ofOverview, [["turns", "1 of 2 expectations met"], ["pair", "1 of 3 expectations met"]]);
     await close();
@@ -108,8 +108,8 @@ describe("the page", () => {
   test("has an overview of pictures", async () => {
     const {page, close} = await open();
     const sources = await page.locator(".sheet img").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
-    assert.deepEqual(sources.filter((name) => !name.endsWith(".svg")), ["bursts", "normalised", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
-    assert.equal(await page.locator(".sheet a[href='#steps'] img[src='steps-study.svg']").count(), 1);
+    assert.deepEqual(sources.filter((name) => !name.endsWith(".svg")), ["bursts", "recorded-defaults", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
+    assert.equal(await page.locator(".sheet a[href='#matrix-steps'] img[src='matrix-steps-study.svg']").count(), 1);
     await close();
   });
 

@@ -12,10 +12,10 @@ const {kOut, kOutput, kMoving, startBrowser, closeBrowser, open, openClip} = req
 before(startBrowser);
 after(closeBrowser);
 
-// As they come on the page: "steps" and "bursts" are in the story, and so is "normalised", folded away; the others aren't. The first of
+// As they come on the page: "matrix-steps" and "bursts" are in the story, and so is "recorded-defaults", folded away; the others aren't. The first of
 // the command is the lead.
-const kIds = ["turns", "steps", "bursts", "pair", "book"];
-const kInContents = ["steps", "bursts", "normalised", "turns", "pair", "book"];
+const kIds = ["turns", "matrix-steps", "bursts", "pair", "book"];
+const kInContents = ["matrix-steps", "bursts", "recorded-defaults", "turns", "pair", "book"];
 const kWidths = [390, 768, 1280, 1440];
 const kAxe = path.join(process.env.ROTATEBOOK_PLAYWRIGHT, "..", "axe-core", "axe.min.js");
 
@@ -108,7 +108,7 @@ describe("loading", () => {
 });
 
 describe("a figure that is folded away", () => {
-  const isShown = (page) => page.locator("#normalised .screen").isVisible();
+  const isShown = (page) => page.locator("#recorded-defaults .screen").isVisible();
 
   test("costs nothing before it is wanted, and then plays", async () => {
     const server = await serve();
@@ -116,12 +116,12 @@ describe("a figure that is folded away", () => {
     await page.locator(".chapter .folded summary").first().scrollIntoViewIfNeeded();
     await page.waitForTimeout(200);
     assert.ok(!await isShown(page));
-    for (const file of ["normalised.mp4", "normalised.poster.png"]) assert.ok(!server.sent.has(file), file);
+    for (const file of ["recorded-defaults.mp4", "recorded-defaults.poster.png"]) assert.ok(!server.sent.has(file), file);
     await page.locator(".chapter .folded > summary").focus();
     await page.keyboard.press("Enter");
     assert.ok(await isShown(page));
-    await openClip(page, "normalised");
-    assert.ok(server.sent.has("normalised.mp4"));
+    await openClip(page, "recorded-defaults");
+    assert.ok(server.sent.has("recorded-defaults.mp4"));
     assert.deepEqual(problems, []);
     await page.screenshot({path: path.join(kOutput, "folded.png")});
     await close();
@@ -129,10 +129,10 @@ describe("a figure that is folded away", () => {
   });
 
   test("is opened by a link, by an address and by going back to it", async () => {
-    for (const place of ["#normalised", ""]) {
+    for (const place of ["#recorded-defaults", ""]) {
       const {page, close} = await open({}, {place});
-      if (!place) await page.locator(".contents a[href='#normalised']").evaluate((link) => link.click());
-      await page.waitForFunction(() => Math.abs(document.querySelector("#normalised").getBoundingClientRect().top) < innerHeight / 2);
+      if (!place) await page.locator(".contents a[href='#recorded-defaults']").evaluate((link) => link.click());
+      await page.waitForFunction(() => Math.abs(document.querySelector("#recorded-defaults").getBoundingClientRect().top) < innerHeight / 2);
       assert.ok(await isShown(page));
       await close();
     }
@@ -144,7 +144,7 @@ describe("a figure that is folded away", () => {
     assert.equal(new URL(page.url()).hash, "#pair");
     await page.locator(".chapter .folded").evaluate((folded) => { folded.open = true; });
     await page.keyboard.press("ArrowLeft");
-    assert.equal(new URL(page.url()).hash, "#normalised");
+    assert.equal(new URL(page.url()).hash, "#recorded-defaults");
     await close();
   });
 });
@@ -154,7 +154,7 @@ describe("the live book's place", () => {
 
   test("takes every figure's scene, and the checksum in a clip's record", async () => {
     const {page, close} = await open({}, {script: kLive, name: "live.html"});
-    for (const [id, text, checksum] of [["bursts", /model = "particles"/, /^[0-9a-f]{32}$/], ["book", /title = "A book"/, /^null$/], ["steps", /\[study\]/, /^null$/]]) {
+    for (const [id, text, checksum] of [["bursts", /model = "particles"/, /^[0-9a-f]{32}$/], ["book", /title = "A book"/, /^null$/], ["matrix-steps", /\[study\]/, /^null$/]]) {
       await page.locator(`#${id} .toy button`).click();
       const [scene, motion] = await page.evaluate(() => window.played);
       assert.match(scene, text);

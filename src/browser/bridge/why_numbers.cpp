@@ -6,9 +6,9 @@
 
 #include <Eigen/Geometry>
 
-#include "base/elementary.h"
 #include "base/json.h"
 #include "physics/motion_start.h"
+#include "rigid/energy_ladder.h"
 #include "rigid/poinsot.h"
 #include "timeline/spin.h"
 
@@ -19,7 +19,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr int kLadderRows = 40;  // of its outline, from each end to the middle
 
 template <typename Values>
 void append(std::vector<double>& numbers, const Values& values) {
@@ -81,36 +80,21 @@ std::vector<double> PlayedForces::at(const PlayedScene& played, std::int64_t fra
 std::vector<double> ladderNumbers(const PlayedScene& played, std::size_t motion,
                                   std::int64_t frame) {
   const auto inertia = physics::modelInertia(played.scene().motions.at(motion));
-  const auto axes = rigid::axesByInertia(inertia.moments);
-  const Vector3d energies = rigid::axisEnergies(inertia.moments, 1);
-  const double high = energies[axes[0]], middle = energies[axes[1]], low = energies[axes[2]];
-  const auto heightOf = [&](double energy) {
-    return high > low ? std::clamp((energy - low) / (high - low), 0.0, 1.0) : 0.5;
-  };
-  const auto reachAt = [&](double energy) {
-    return rigid::reachOfMomentum(energies, energy) / std::numbers::pi;
-  };
-
+  const rigid::EnergyLadder ladder(inertia.moments);
   const physics::Sample& sample = played.samples(motion)[played.indexOf(motion, frame)];
   const Vector3d momentum = alongPrincipal(inertia, sample);
-  const double energy = sample.total() / momentum.squaredNorm(), reach = reachAt(energy);
-  const double along = std::abs(momentum[axes[energy > middle ? 0 : 2]]);
-  const double angle = arcTangent(momentum[axes[1]], along) / std::numbers::pi;
-  std::vector<double> numbers{heightOf(energy), reach, std::clamp(angle, -reach, reach),
-                              100 * (energy / middle - 1)};
-  for (const int axis : axes) {
+  const double energy = sample.total() / momentum.squaredNorm();
+  const rigid::LadderPlace now = ladder.placeOf(momentum, energy);
+  std::vector<double> numbers{now.height, ladder.reachAt(energy) / std::numbers::pi,
+                              now.angle / std::numbers::pi, 100 * ladder.aboveMiddle(energy)};
+  for (const int axis : ladder.axes()) {
     const bool isTurned = !inertia.bodyFromPrincipal.isIdentity(1e-9);
+    const double spin = ladder.energyOf(axis);
     numbers.insert(numbers.end(), {static_cast<double>(axis), isTurned ? 1.0 : 0.0,
-                                   heightOf(energies[axis]), reachAt(energies[axis])});
+                                   ladder.heightOf(spin), ladder.reachAt(spin) / std::numbers::pi});
   }
-  for (const double end : {high, low}) {
-    for (int i = 0; i <= kLadderRows; ++i) {
-      // Denser toward both, where the width changes most.
-      const double turn = std::numbers::pi * (end == high ? i : kLadderRows - i) / kLadderRows;
-      const double at = end + (middle - end) * (1 - cosine(turn)) / 2;
-      numbers.insert(numbers.end(), {heightOf(at), reachAt(at)});
-    }
-  }
+  for (const rigid::LadderPlace& place : ladder.outline())
+    numbers.insert(numbers.end(), {place.height, place.angle / std::numbers::pi});
   return numbers;
 }
 

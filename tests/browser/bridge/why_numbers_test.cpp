@@ -95,7 +95,7 @@ TEST(WhyNumbers, KeepTheScaleOfForcesFromAThrowThatIsMuchFaster) {
 TEST(WhyNumbers, HaveTheLadderOfEnergies) {
   const Played played{std::string(kTurningScene)};
   const std::vector<double> numbers = numbersOf(rb_ladder, kFrame);
-  ASSERT_EQ(numbers.size(), 4 + 3 * 4 + 2 * 2 * 41U);
+  ASSERT_EQ(numbers.size(), 4 + 3 * 4 + 2 * 2 * 61U);
   const Vector3d energies =
       rigid::axisEnergies(physics::modelInertia(played.panel()).moments, 1);  // of y, x, z
   const physics::Sample& sample = played.samples()[kFrame];

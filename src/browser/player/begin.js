@@ -22,11 +22,16 @@ function lackOf() {
   return "";
 }
 
-/** Plays the scene in the address, if it has one. */
+/** Opens the tour's step, or plays the scene, in the address, if it has one. */
 async function playHash(player) {
-  const {hash} = location;
+  const {hash} = location, step = tourStepOf(hash);
+  if (step !== null) {
+    player.tour.open(step);
+    return true;
+  }
   try {
     const text = await textOfHash(hash, player.core.words.longestScene);
+    if (text === null && player.tour.isOn) player.tour.leave();
     if (text === null || location.hash !== hash) return false;
     player.load(text, {isPlaying: player.mayMove});
     return true;
@@ -66,9 +71,9 @@ function keepContext(player) {
 async function beginLiveBook(root, data) {
   const lack = lackOf();
   if (lack) throw new Error(lack);
-  const [core, pictures] = await Promise.all([Core.load(data.core), loadPictures(data.pictures)]);
+  const [core, pictures, shaders] = await Promise.all([Core.load(data.core), loadPictures(data.pictures), unpackedText(data.shaders)]);
   root.querySelector(".rb-player").hidden = false;
-  const player = new Player(root, core, {pictures, shaders: data.shaders, muxer: data.muxer});
+  const player = new Player(root, core, {pictures, shaders: JSON.parse(shaders), muxer: data.muxer});
   player.mayMove = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   player.begin(kOpening, player.mayMove);
   keepContext(player);

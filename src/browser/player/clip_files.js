@@ -73,8 +73,7 @@ let muxer = null;
 
 /** The muxer is code that is packed with the page, and made when it is first asked for. */
 async function muxerOf(packedText) {
-  const text = async () => new TextDecoder().decode(await throughStream(bytesOfBase64(packedText), new DecompressionStream("gzip")));
-  muxer ??= new Function(`${await text()}\nreturn Mediabunny;`)();
+  muxer ??= new Function(`${await unpackedText(packedText)}\nreturn Mediabunny;`)();
   return muxer;
 }
 

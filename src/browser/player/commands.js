@@ -27,7 +27,7 @@ class Commands {
   #click(event) {
     const {do: name, axis} = event.target.closest("[data-do]")?.dataset ?? {}, {player} = this;
     const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
-      throw: () => player.throwAbout(axis), why: () => player.toggleWhy(),
+      throw: () => player.throwAbout(axis), why: () => player.toggleWhy(), tour: () => player.tour.open(0),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
       save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
     actions[name]?.();

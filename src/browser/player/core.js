@@ -32,8 +32,7 @@ class Core {
   }
 
   static async load(packed) {
-    const bytes = await throughStream(bytesOfBase64(packed), new DecompressionStream("gzip"));
-    return new Core(await createRotatebookCore({wasmBinary: bytes}));
+    return new Core(await createRotatebookCore({wasmBinary: await unpacked(packed)}));
   }
 
   /** Calls a function of the module. One that is broken off leaves its part of the module's stack behind, which is taken back. */

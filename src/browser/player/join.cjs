@@ -11,7 +11,7 @@ const kPictures = {front: 660, back: 660, spine: 176, paper: 256};  // Widths. [
 const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
 const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "polhode_ball", "forces", "poinsot", "ladder", "timeline",
-  "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
+  "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "tour", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
   "throws", "outcome", "files", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",
   stars: "stars.frag", studio_lights: "studio_lights.glsl", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
@@ -46,13 +46,13 @@ function shortened(scripts, muxer) {
   return execFileSync(esbuild, ["--minify-whitespace", "--minify-syntax", "--charset=utf8"], {input: scripts.join("\n"), encoding: "utf8"});
 }
 
-const zipped = (file) => zlib.gzipSync(fs.readFileSync(file), {level: 9}).toString("base64");
+const zipped = (content) => zlib.gzipSync(content, {level: 9}).toString("base64");
 
 function fragment(glue, wasm, muxer, folder) {
   const data = {
-    core: zipped(wasm),
-    muxer: zipped(muxer),
-    shaders: mapped(kShaders, shader),
+    core: zipped(fs.readFileSync(wasm)),
+    muxer: zipped(fs.readFileSync(muxer)),
+    shaders: zipped(JSON.stringify(mapped(kShaders, shader))),
     pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
   };
   const scripts = [read(kRoot, "assets/page/words.js"), ...kScripts.map((name) => read(kHere, name + ".js"))];

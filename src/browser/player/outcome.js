@@ -20,11 +20,12 @@ class Outcome {
   /** `line`: the paragraph that says it, in place of `hint`. */
   constructor(line, hint, announcer) {
     Object.assign(this, {line, hint, announcer});
-    this.words = "";
+    this.forget();
   }
 
   /** After a throw with this spin. */
   expect(spin) {
+    this.spin = spin;
     const speed = say.number(spin.speed < 10 ? spin.speed.toFixed(1) : Math.round(spin.speed));
     const angle = say.number(spin.offAxis < 1 ? Number(spin.offAxis.toPrecision(1)) : Math.round(spin.offAxis));
     this.words = say("{speed} rad/s, {angle} degrees off {axis}: {outcome}.", {speed, angle, axis: kAxisNames[spin.axis], outcome: outcomeOf(spin)});
@@ -32,6 +33,7 @@ class Outcome {
 
   /** Another motion comes. */
   forget() {
+    this.spin = null;
     this.words = "";
     this.line.hidden = true;
   }

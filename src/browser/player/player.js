@@ -37,13 +37,16 @@ class Player {
     this.orbit = {right: 0, up: 0, distance: 1};
     this.book = 0;
     this.edits = 0;
+    this.motionEdits = 0;
     this.wanted = null;
     this.simulation = new Simulation(core, (message) => this.announcer.show(message, "bad"));
     this.drawing = new Stage(root, core, materials.pictures, materials.shaders);
     this.stage = this.drawing.lines;
     this.timeline = new Timeline(this.find(".rb-timeline canvas"), this.find(".rb-seek"));
     this.ball = new PolhodeBall(this.find(".rb-ball"));
-    this.predict = new Predict(this.find(".rb-question"), this);
+    const box = new Box(this.find(".rb-question"), this);
+    this.predict = new Predict(box, this);
+    this.tour = new Tour(box, this.find(".rb-step"), this);
     this.throws = new Throws(this);
     this.saver = new ClipSaver(root, this);
     this.files = new Files(this);
@@ -79,10 +82,11 @@ class Player {
   timeOf(frame) { return this.core.numbers(kPlayed, 0, Math.min(frame, this.lastFrame), [kSample.time])[0]; }
 
   /** Plays a scene's text from its beginning; the last good scene stays if it is none. Returns whether it is played. */
-  load(text, {isPlaying = true, record = null, isQuestion = false} = {}) {
+  load(text, {frame = 0, isPlaying = true, record = null, isQuestion = false, isStep = false} = {}) {
     try {
       const tree = this.core.treeOf(text);
-      if (!this.#play(tree, text, {frame: 0, isPlaying, record, isQuestion})) return false;
+      if (!this.#play(tree, text, {frame, isPlaying, record, isQuestion})) return false;
+      if (!isStep) this.tour.forget();
       this.original = text;
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
       return true;
@@ -96,6 +100,7 @@ class Player {
   apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying, isMotion = true} = {}) {
     if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying, isMotion})) return false;
     this.edits += 1;
+    if (isMotion) this.motionEdits += 1;
     this.onEdit();
     return true;
   }
@@ -220,6 +225,7 @@ class Player {
     this.announcedFrame = frame;
     this.outcome.tick(this.timeOf(frame));
     this.predict.tick(this.timeOf(frame), this.simulation.isDone && frame >= this.lastFrame);
+    this.tour.tick();
   }
 
   #showTime(time, frame) {
@@ -283,7 +289,9 @@ class Player {
 
   open(file) { return this.files.open(file); }
 
-  throwAbout(axis) { this.throws.throwAbout(axis); }
+  throwAbout(axis) {
+    if (this.#isFree()) this.throws.throwAbout(axis);
+  }
   throwFrom(book, attitude, velocity) { this.throws.throwFrom(book, attitude, velocity); }
 
   /** Sees the motion from another frame of reference. */
@@ -302,7 +310,10 @@ class Player {
   }
 
   /** What is read anew starts to move, unless it was paused. */
-  reset() { this.load(this.original, {isPlaying: this.clock.isPlaying, record: this.record}); }
+  reset() {
+    if (this.tour.isOn) this.tour.open(this.tour.step);
+    else this.load(this.original, {isPlaying: this.clock.isPlaying, record: this.record});
+  }
 
   edit(book) {
     this.book = book;

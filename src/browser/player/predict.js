@@ -51,45 +51,69 @@ simulation.substeps = 6
   },
 ];
 
-class Predict {
-  /** `player`: with play(text), clock, start(), announcer. `box`: .rb-question. */
-  constructor(box, player) {
-    this.box = box;
+/** The box beneath the picture, with a text and buttons, of a question or of a step of the tour. */
+class Box {
+  constructor(element, player) {
+    this.element = element;
     this.player = player;
-    this.text = box.querySelector(".rb-question-text");
-    this.answers = box.querySelector(".rb-answers");
-    this.task = -1;
+    this.text = element.querySelector(".rb-question-text");
+    this.buttons = element.querySelector(".rb-answers");
+    new ResizeObserver(() => this.#makeRoom()).observe(element);
   }
 
-  get isAsking() { return !this.box.hidden && this.chosen === null; }
-  get current() { return kTasks[this.task]; }
-
-  next() {
-    this.task = (this.task + 1) % kTasks.length;
-    this.chosen = null;
-    this.isAnswered = false;
-    this.player.load(this.current.scene, {isPlaying: false, isQuestion: true});
-    this.#show(this.current.question, this.current.answers.map((answer, i) => [answer, () => this.choose(i)]));
+  /** The picture gets lower, so that all is in the window; where that is too low, what is above scrolls away. */
+  #makeRoom() {
+    const {element, player} = this;
+    player.root.style.setProperty("--rb-asked", `${element.offsetHeight}px`);
+    if (!element.hidden) player.find(".rb-transport").scrollIntoView({block: "nearest"});
   }
 
-  #show(text, buttons) {
+  /** Shows a text and buttons, each [words, action, properties], and takes the focus there. */
+  show(text, buttons) {
     this.text.textContent = text;
-    const close = make("button", {type: "button", className: "rb-close"}, say("Close"));
-    close.addEventListener("click", () => this.close());
-    this.answers.replaceChildren(...buttons.map(([words, action]) => {
-      const button = make("button", {type: "button"}, words);
+    this.buttons.replaceChildren(...buttons.map(([words, action, properties]) => {
+      const button = make("button", {type: "button", ...properties}, words);
       button.addEventListener("click", action);
       return button;
-    }), close);
-    this.box.hidden = false;
+    }));
+    this.element.hidden = false;
     this.text.focus({preventScroll: true});
     // On a small screen, the books are above the question.
     if (this.player.stage.getBoundingClientRect().top < 0) this.player.find(".rb-player").scrollIntoView();
   }
 
+  hide() { this.element.hidden = true; }
+}
+
+class Predict {
+  /** `player`: with load(text), tour, start(), announcer. */
+  constructor(box, player) {
+    this.box = box;
+    this.player = player;
+    this.task = -1;
+    this.isOpen = false;
+  }
+
+  get isAsking() { return this.isOpen && this.chosen === null; }
+  get current() { return kTasks[this.task]; }
+
+  next() { this.ask((this.task + 1) % kTasks.length); }
+
+  /** `isStep`: in a tour, which goes on. */
+  ask(task, isStep = false) {
+    this.player.load(kTasks[task].scene, {isPlaying: false, isQuestion: true, isStep});
+    Object.assign(this, {task, isStep, chosen: null, isAnswered: false, isOpen: true});
+    this.#show(this.current.question, this.current.answers.map((answer, i) => [answer, () => this.choose(i)]));
+  }
+
+  #show(text, buttons, next = []) {
+    const ways = this.isStep ? this.player.tour.ways : [...next, [say("Close"), () => this.close(), {className: "rb-close"}]];
+    this.box.show(text, [...buttons, ...ways]);
+  }
+
   /** Somebody wants to see before the answer. */
   insist() {
-    this.text.focus({preventScroll: true});
+    this.box.text.focus({preventScroll: true});
     this.player.announcer.announce(say("First choose an answer."));
   }
 
@@ -106,15 +130,18 @@ class Predict {
 
   /** Called as time passes; `isEnd` if there is no more to see. */
   tick(time, isEnd) {
-    if (this.box.hidden || this.chosen === null || this.isAnswered || (time < this.current.until && !isEnd)) return;
+    if (!this.isOpen || this.chosen === null || this.isAnswered || (time < this.current.until && !isEnd)) return;
     this.isAnswered = true;
-    const isRight = this.chosen === this.current.right;
-    this.#show(`${isRight ? say("Right.") : say("Not quite.")} ${this.current.see}`, [[this.task + 1 < kTasks.length ? say("Next question") : say("From the first"), () => this.next()]]);
-    this.player.announcer.announce(this.text.textContent);
+    const words = `${this.chosen === this.current.right ? say("Right.") : say("Not quite.")} ${this.current.see}`;
+    this.#show(words, [], [[this.task + 1 < kTasks.length ? say("Next question") : say("From the first"), () => this.next()]]);
+    this.player.announcer.announce(words);
   }
 
   /** Another scene is played: the question was of the former. */
-  leave() { this.box.hidden = true; }
+  leave() {
+    if (this.isOpen) this.box.hide();
+    this.isOpen = false;
+  }
 
   close() {
     this.leave();

@@ -28,6 +28,10 @@ function bytesOfBase64(text) {
   return Uint8Array.from(binary, (letter) => letter.charCodeAt(0));
 }
 
+/** Returns what the page holds packed. */
+const unpacked = (text) => throughStream(bytesOfBase64(text), new DecompressionStream("gzip"));
+const unpackedText = async (text) => new TextDecoder().decode(await unpacked(text));
+
 /** Returns the address's hash that holds a scene's text. */
 async function hashOf(text) {
   const packed = await throughStream(new TextEncoder().encode(text), new CompressionStream("deflate-raw"));

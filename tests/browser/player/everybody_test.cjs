@@ -2,21 +2,12 @@
 "use strict";
 
 const assert = require("node:assert/strict");
-const fs = require("node:fs");
 const path = require("node:path");
 const {test, before, after} = require("node:test");
-const {kOutput, startBrowser, closeBrowser, open, frameOf, load, kTurns} = require("./live_page.cjs");
-
-const kAxe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const {kOutput, startBrowser, closeBrowser, open, violations, frameOf, load, kTurns} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
-
-async function violations(page) {
-  await page.evaluate(kAxe);
-  const result = await page.evaluate(() => axe.run(document, {resultTypes: ["violations", "incomplete"]}));
-  return result.violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html.slice(0, 120)).join(" | ")}`);
-}
 
 for (const width of [390, 768, 1280]) {
   test(`axe finds nothing, and nothing is wider than the page, at ${width} pixels`, async () => {

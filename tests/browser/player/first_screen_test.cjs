@@ -5,20 +5,15 @@ const assert = require("node:assert/strict");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, kTurns, startBrowser, closeBrowser, open, render, rotatebook} = require("./live_page.cjs");
+const {kOutput, kPlay, startBrowser, closeBrowser, open, pageOfFigures} = require("./live_page.cjs");
 
 const kSizes = [[1366, 768], [1024, 768], [390, 844]];
-const kControls = [".rb-throws button", ".rb-views label", ".rb-views button", ".rb-transport button", ".rb-timeline", ".rb-speed select"];
+const kControls = [".rb-throws button", ".rb-views label", ".rb-views button", ".rb-transport button", ".rb-timeline", ".rb-speed select", ".rb-step",
+  ".rb-question-text", ".rb-answers button"];
+const kLeastPicture = 240;  // Its height. [CSS pixels]
 
 before(() => startBrowser());
 after(closeBrowser);
-
-/** Makes a page of figures with the live book, and a table of contents. */
-function pageOfFigures() {
-  const scenes = ["turns", "turns-too"].map((name) => render(name, kTurns).replace(/mp4$/, "toml")), folder = path.dirname(scenes[0]);
-  rotatebook("page", ...scenes, "-o", folder, "--size", "64x36", "--live", path.join(path.dirname(kPlay), "live_book.html"));
-  return path.join(folder, "index.html");
-}
 
 /** Returns what is wrong with the controls: outside the window, beneath something, over one another. */
 const faultsOf = (page) => page.evaluate((selectors) => {
@@ -39,6 +34,20 @@ const faultsOf = (page) => page.evaluate((selectors) => {
   return {faults, count: controls.length, scrolled: scrollY};
 }, kControls);
 
+async function checkTour(page, picture) {
+  for (let step = 0; step < 6; ++step) {
+    await page.evaluate((wanted) => {
+      rotatebook.player.tour.open(wanted);
+      return new Promise((resolve) => { requestAnimationFrame(() => setTimeout(resolve, 50)); });  // The picture's size follows.
+    }, step);
+    if (step === 2) await page.screenshot({path: picture});
+    const {faults, scrolled} = await faultsOf(page), {y, height} = await page.locator(".rb-stage").boundingBox();
+    assert.deepEqual(faults, [], `step ${step + 1}`);
+    assert.ok(y >= 0 && (scrolled === 0 || page.viewportSize().width < 640), `${scrolled} in step ${step + 1}`);
+    assert.ok(height >= kLeastPicture, `${height} in step ${step + 1}`);
+  }
+}
+
 for (const name of ["play", "index"]) {
   for (const [width, height] of kSizes) {
     test(`all is there in ${name}.html at ${width} x ${height}`, async () => {
@@ -46,13 +55,22 @@ for (const name of ["play", "index"]) {
       const {page, problems, close} = await open({viewport: {width, height}}, {file: pathToFileURL(file).href});
       await page.screenshot({path: path.join(kOutput, `first-${name}-${width}.png`)});
       const {faults, count, scrolled} = await faultsOf(page);
-      assert.deepEqual([faults, count, scrolled], [[], 12, 0]);
+      assert.deepEqual([faults, count, scrolled], [[], 13, 0]);
       await page.getByRole("button", {name: "why"}).click();
       await page.waitForFunction(() => !document.querySelector(".rb-legend").hidden);
       await page.screenshot({path: path.join(kOutput, `why-${name}-${width}.png`)});
       assert.deepEqual((await faultsOf(page)).faults, []);
+      await checkTour(page, path.join(kOutput, `tour-${name}-${width}.png`));
       assert.deepEqual(problems, []);
       await close();
     });
   }
+}
+
+for (const [width, height] of kSizes) {
+  test(`the tour is there in German at ${width} x ${height}`, async () => {
+    const {page, close} = await open({viewport: {width, height}}, {hash: "?lang=de"});
+    await checkTour(page, path.join(kOutput, `tour-german-${width}.png`));
+    await close();
+  });
 }

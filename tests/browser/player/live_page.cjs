@@ -90,6 +90,20 @@ async function open(options = {}, {hash = "", script = null, isReady = "true", f
   return {page, problems, close: () => context.close()};
 }
 
+/** Returns what axe finds wrong with the page. */
+async function violations(page) {
+  await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
+  const result = await page.evaluate(() => axe.run(document, {resultTypes: ["violations", "incomplete"]}));
+  return result.violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html.slice(0, 120)).join(" | ")}`);
+}
+
+/** Makes a page of figures with the live book, and a table of contents. */
+function pageOfFigures() {
+  const scenes = ["turns", "turns-too"].map((name) => render(name, kTurns.replace("turns over", name)).replace(/mp4$/, "toml")), folder = path.dirname(scenes[0]);
+  rotatebook("page", ...scenes, "-o", folder, "--size", "64x36", "--live", path.join(path.dirname(kPlay), "live_book.html"));
+  return path.join(folder, "index.html");
+}
+
 /** Until the motion is simulated to its end; returns its checksum. */
 async function checksumOf(page) {
   await page.waitForFunction(() => rotatebook.player.checksum !== null, null, {timeout: 120000});
@@ -101,4 +115,4 @@ const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
 const messageOf = (page) => page.locator(".rb-message").textContent();
 const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
 
-module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, checksumOf, frameOf, sceneOf, messageOf, load};
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, violations, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf, load};

@@ -92,6 +92,24 @@ void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inerti
                   across + "], to see that it only wobbles");
 }
 
+void addCueNotes(const scene::Scene& scene, std::vector<std::string>& notes) {
+  const std::int64_t frames = scene.clip.frameCount();
+  const double period = scene.clip.frameRate.period();
+  for (const scene::ShownCue& shown : scene.shownCues) {
+    const std::string cue = "cue." + std::to_string(shown.cue);
+    const auto& move = scene.cues[shown.cue].move;
+    const double rest = static_cast<double>(frames - shown.frame) * period;
+    if (shown.frame >= frames) {
+      notes.push_back(cue + " is at " + roundedText(shown.time, kDigits) +
+                      " s of the motion, after the end of the clip, which never shows it");
+    } else if (move && move->over > rest + period) {
+      notes.push_back(cue + ".move takes " + roundedText(move->over, kDigits) +
+                      " s, and the clip ends before, after " + roundedText(rest, kDigits) +
+                      " s of it");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> notesOn(const scene::Panel& panel) {
@@ -123,12 +141,7 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
                     roundedText(end, kDigits) + " s");
     }
   }
-  for (const scene::ShownCue& shown : scene.shownCues) {
-    if (shown.frame < scene.clip.frameCount()) continue;
-    all.push_back("cue." + std::to_string(shown.cue) + " is at " +
-                  roundedText(shown.time, kDigits) +
-                  " s of the motion, after the end of the clip, which never shows it");
-  }
+  addCueNotes(scene, all);
   if (scene.clip.poster && *scene.clip.poster > scene.clip.duration) {
     all.push_back("clip.poster is at " + roundedText(*scene.clip.poster, kDigits) +
                   " s, after the end of the clip, which lasts " +

@@ -142,5 +142,14 @@ TEST(Notes, AreMadeOnANudgeAfterTheEnd) {
               ElementsAre(StartsWith("the nudge at 30 s comes after the end")));
 }
 
+TEST(Notes, AreMadeOnAMoveThatOutlastsTheClip) {
+  const std::string move =
+      "clip.duration = 6\ninitial.angular_velocity = [0, 1, 5]\n[[cue]]\nat = 2\n"
+      "move = { orbit = '90 deg', over = ";
+  EXPECT_THAT(notesWith(move + "4 }\n"), IsEmpty());
+  EXPECT_THAT(notesWith(move + "20 }\n"),
+              ElementsAre("cue.0.move takes 20 s, and the clip ends before, after 4 s of it"));
+}
+
 }  // namespace
 }  // namespace rotatebook::timeline

@@ -8,6 +8,9 @@ const kLargestStrain = 0.03;
 // In units of the distance from the middle of the book to its corners, as in the program's clips.
 const kReach = {omega: 0.86, momentum: 1, axis: 0.17, shortestAxis: 0.75};
 
+/** Returns how large the page's letters are, 1 where they are as usual: lines of the picture are as thick. */
+const letterSize = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+
 const cornerOf = (sample, i) => sample.subarray(kSample.corners + 3 * i, kSample.corners + 3 * i + 3);
 
 function middleOf(sample) {

@@ -10,6 +10,7 @@ precision highp sampler2D;
 const kSharper = "#define texture(sampler, place) texture(sampler, place, -0.5)\n";
 const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
+const kLightShare = 0.45;  // Of the dark wall, which is taken from white in the light look.
 const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
 
 /** Returns 1 if the cage is the right way round at every corner, -1 if inside out, 0 if neither. */
@@ -164,7 +165,7 @@ class BookView {
   draw(books) {
     const gl = this.gl, height = this.canvas.height;
     gl.disable(gl.SCISSOR_TEST);
-    gl.clearColor(...kWall, 1);
+    gl.clearColor(...kWall.map((part) => (this.isLight ? 1 - kLightShare * part : part)), 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.enable(gl.SCISSOR_TEST);
     for (const [i, book] of books.entries()) {
@@ -189,7 +190,20 @@ class BookView {
     gl.uniform1i(shaders.place("supersample"), 1);
     gl.uniformMatrix4fv(shaders.place("skyFromPicture"), false, sky);
     gl.bindVertexArray(this.noVertices);
+    if (this.isLight) this.#takeFromWhite();
     gl.drawArrays(gl.TRIANGLES, 0, 3);
+    gl.disable(gl.BLEND);
+  }
+
+  /** What is drawn next is seen as in a negative, fainter. */
+  #takeFromWhite() {
+    const gl = this.gl;
+    gl.clearColor(1, 1, 1, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.enable(gl.BLEND);
+    gl.blendEquationSeparate(gl.FUNC_REVERSE_SUBTRACT, gl.FUNC_ADD);
+    gl.blendColor(kLightShare, kLightShare, kLightShare, 1);
+    gl.blendFunc(gl.CONSTANT_COLOR, gl.ONE);
   }
 
   #prepare(book) {

@@ -12,6 +12,7 @@ class ClipStage extends Stage {
   }
 
   get sharpness() { return Math.min(...this.size) * kClipUnit; }
+  get unit() { return this.sharpness; }
   get box() { return {width: this.size[0] / this.sharpness, height: this.size[1] / this.sharpness}; }
 }
 

@@ -2,6 +2,7 @@
 
 const kActionsOfKeys = {x: (player) => player.throwAbout("x"), y: (player) => player.throwAbout("y"), z: (player) => player.throwAbout("z"),
   j: (player) => player.jiggle(), r: (player) => player.reset(), ",": (player) => player.step(-1), ".": (player) => player.step(1),
+  f: (player) => player.bigScreen.toggle(), Escape: (player) => player.bigScreen.leave(),
   Home: (player) => player.seek(0), End: (player) => player.seek(player.lastFrame)};
 const kBallStep = 0.06;  // Of a key. [rad]
 
@@ -28,6 +29,7 @@ class Commands {
     const {do: name, axis} = event.target.closest("[data-do]")?.dataset ?? {}, {player} = this;
     const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
       throw: () => player.throwAbout(axis), why: () => player.toggleWhy(), tour: () => player.tour.open(0),
+      full: () => player.bigScreen.toggle(), light: () => player.bigScreen.toggleLight(),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
       save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
     actions[name]?.();

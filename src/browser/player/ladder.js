@@ -7,7 +7,7 @@ class Ladder {
   constructor(canvas) { this.canvas = canvas; }
 
   /** `ladder`: of the core; `height` and the width of a line, `scale`, in pixels. */
-  draw({now, rungs, outline}, height = Math.round(this.canvas.clientHeight * (devicePixelRatio || 1)), scale = devicePixelRatio || 1) {
+  draw({now, rungs, outline}, height = Math.round(this.canvas.clientHeight * (devicePixelRatio || 1)), scale = (devicePixelRatio || 1) * letterSize()) {
     if (height === 0) return;
     const width = Math.round(kLadderShape * height);
     if (this.canvas.width !== width) this.canvas.width = width;

@@ -24,7 +24,7 @@ function showNumbers(list, player, frame) {
     list.dataset.labels = key;
     list.replaceChildren(...kNumbers.map(([name]) => make("div", {}, make("dt", {}, name), ...motions.map((motion, i) => {
       const value = make("dd");
-      if (motions.length > 1) value.style.color = kBookColours[i];
+      if (motions.length > 1) value.style.setProperty("--rb-book", kBookColours[i]);
       return value;
     }))));
   }

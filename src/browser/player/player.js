@@ -49,6 +49,7 @@ class Player {
     this.tour = new Tour(box, this.find(".rb-step"), this);
     this.throws = new Throws(this);
     this.saver = new ClipSaver(root, this);
+    this.bigScreen = new BigScreen(root, this);
     this.files = new Files(this);
     this.hand = new Hand(this);
     this.ladder = new Ladder(this.find(".rb-ladder"));

@@ -103,7 +103,7 @@ class PolhodeBall {
   }
 
   /** `trail`: directions of L in the book's axes, the last of them now; `size` and the width of a line, `scale`, in pixels. */
-  draw(moments, trail, size = Math.round(this.canvas.clientWidth * (devicePixelRatio || 1)), scale = devicePixelRatio || 1) {
+  draw(moments, trail, size = Math.round(this.canvas.clientWidth * (devicePixelRatio || 1)), scale = (devicePixelRatio || 1) * letterSize()) {
     if (size === 0) return;
     if (this.canvas.width !== size) this.canvas.width = this.canvas.height = size;
     this.context = this.canvas.getContext("2d");

@@ -37,6 +37,9 @@ class Stage {
   /** Pixels of the drawing a CSS pixel. */
   get scale() { return this.sharpness * (this.isMoving ? this.quality : 1); }
 
+  /** Width of a line. [pixels of the lines] */
+  get unit() { return this.sharpness * letterSize(); }
+
   #fit(canvas, scale) {
     const {box} = this, width = Math.max(Math.round(box.width * scale), 2), height = Math.max(Math.round(box.height * scale), 2);
     if (canvas.width !== width) canvas.width = width;
@@ -94,7 +97,7 @@ class Stage {
   #drawLines(frame, state) {
     const context = this.lines.getContext("2d"), ratio = this.lines.width / this.picture.width;
     context.clearRect(0, 0, this.lines.width, this.lines.height);
-    const unit = this.lines.width / this.box.width;
+    const sharpness = this.lines.width / this.box.width;
     const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));
     this.books.forEach((book, i) => {
       const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
@@ -102,13 +105,13 @@ class Stage {
       context.beginPath();
       context.rect(area.x, area.y, area.width, area.height);
       context.clip();
-      const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, unit);
+      const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit);
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
       const isHeld = state.hand.held?.book === i;
       if (!isHeld) this.#drawWhy(overlay, i, frame, state, shown);
       overlay.vectors(book.sample, motion, state.scales[i], isHeld ? {axes: shown.axes} : shown);
-      if (state.flick) overlay.hand(...state.flick.map((place) => place.map((part) => part * unit)));
+      if (state.flick) overlay.hand(...state.flick.map((place) => place.map((part) => part * sharpness)));
       context.restore();
     });
   }
@@ -146,7 +149,7 @@ class Stage {
       label.style.left = share(areas[i].x, this.picture.width);
       label.style.top = share(areas[i].y, this.picture.height);
       label.style.maxWidth = share(areas[i].width, this.picture.width);
-      label.style.color = kBookColours[i];
+      label.style.setProperty("--rb-book", kBookColours[i]);
       return label;
     })));
   }

@@ -44,8 +44,8 @@ class Timeline {
 
   /** `frames`: of the whole clip; `nudges`: shares of it at which the book was thrown; `isSecret`: without what will happen. */
   draw(frames, simulated, nudges, isSecret) {
-    const scale = devicePixelRatio || 1;
-    const width = Math.round(this.canvas.clientWidth * scale), height = Math.round(this.canvas.clientHeight * scale);
+    const sharpness = devicePixelRatio || 1, scale = sharpness * letterSize();
+    const width = Math.round(this.canvas.clientWidth * sharpness), height = Math.round(this.canvas.clientHeight * sharpness);
     const state = [width, height, frames, simulated, nudges.join(), isSecret].join(" ");
     if (!this.isStale && state === this.drawn) return;
     this.drawn = state;

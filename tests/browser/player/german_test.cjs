@@ -12,7 +12,7 @@ before(() => startBrowser());
 after(closeBrowser);
 
 /** Texts of the page that are in none of its script's words: numbers, names and marks. */
-const kSame = /^[\d.,:/×%°s\s–‹›_-]*$|^[xyzjr,.+0-]$|^(x|y|z|English|Deutsch|rotatebook render|exact|rk4|\d+\/\d+)$/;
+const kSame = /^[\d.,:/×%°s\s–‹›_-]*$|^[xyzjrf,.+0-]$|^(x|y|z|English|Deutsch|rotatebook render|exact|rk4|\d+\/\d+)$/;
 
 /** Returns what the page says to eyes and ears. */
 function saidOn(page) {

@@ -1,0 +1,36 @@
+// The big screen: the picture and its controls alone, in full screen; and the light look.
+
+class BigScreen {
+  /** `player`: with drawing and redraw(). */
+  constructor(root, player) {
+    this.root = root;
+    this.player = player;
+    this.button = root.querySelector("[data-do=full]");
+    this.button.hidden = !document.fullscreenEnabled;
+    root.addEventListener("fullscreenchange", () => this.#show());
+  }
+
+  get isFull() { return document.fullscreenElement === this.root; }
+
+  #show() {
+    this.root.classList.toggle("rb-bare", this.isFull);
+    this.button.setAttribute("aria-label", this.isFull ? say("Leave full screen") : say("Full screen"));
+    this.player.redraw();
+  }
+
+  toggle() {
+    if (this.isFull) document.exitFullscreen();
+    else this.root.requestFullscreen?.().catch(() => {});  // Refused without a user's gesture, which is no error.
+  }
+
+  leave() {
+    if (this.isFull) document.exitFullscreen();
+  }
+
+  toggleLight() {
+    const isLight = this.root.classList.toggle("rb-light");
+    this.root.querySelector("[data-do=light]").setAttribute("aria-pressed", String(isLight));
+    this.player.drawing.view.isLight = isLight;
+    this.player.redraw();
+  }
+}

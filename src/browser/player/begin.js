@@ -84,6 +84,7 @@ async function beginLiveBook(root, data) {
   });
   document.addEventListener("visibilitychange", () => player.clock.go(player.clock.position));
   new ResizeObserver(() => player.redraw()).observe(player.stage);
+  new IntersectionObserver((changes) => { player.isSeen = changes.at(-1).isIntersecting; }).observe(player.stage);
   window.rotatebook = {
     /** Plays a scene's text, beside which its clip's record states the checksum `motion`, if any; returns whether the core takes it. */
     play(text, motion = null) {

@@ -18,9 +18,13 @@ const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover:
 
 const read = (...names) => fs.readFileSync(path.join(...names), "utf8");
 
-/** The browser's version line comes from the player. */
+/**
+ * The browser's version line comes from the player. What is handed from vertices to pixels is taken within the triangle: at the edge, where only
+ * some of a pixel's samples are in it, it would be that of a place beside the triangle, and shine. The program takes one sample a pixel.
+ */
 function shader(file) {
-  return read(kRoot, "shaders", file).replace(/^#version .*\n/, "").replace(/^\s*\/\/.*\n/gm, "");
+  const handedOn = file.endsWith(".vert") ? /^out /gm : /^in /gm;
+  return read(kRoot, "shaders", file).replace(/^#version .*\n/, "").replace(/^\s*\/\/.*\n/gm, "").replace(handedOn, "centroid $&");
 }
 
 function picture(name, width, folder) {

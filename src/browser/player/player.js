@@ -56,6 +56,7 @@ class Player {
     this.outcome = new Outcome(this.find(".rb-said"), this.find(".rb-hint"), this.announcer);
     this.speed = 1;
     this.slowsAtFlips = false;
+    this.isSeen = true;  // Else time stands still, and only changes are drawn.
     this.onEdit = () => {};
   }
 
@@ -199,12 +200,13 @@ class Player {
     this.#simulate();
     this.clock.speed = this.speed * (this.slowsAtFlips ? this.timeline.slowness(this.frame) : 1);
     if (!this.isWaiting) {
-      this.clock.tick(now, this.lastFrame);
-      if (this.clock.isPlaying && this.drawnAt) this.drawing.adapt(now - this.drawnAt);
+      if (this.isSeen) this.clock.tick(now, this.lastFrame);
+      else this.clock.go(this.clock.position);
+      if (this.clock.isPlaying && this.drawnAt) this.drawing.quality.take(now - this.drawnAt);
       if (this.clock.position !== before || this.isDirty) this.#draw(this.frame);
       if (this.clock.isPlaying && this.simulation.isDone && this.frame >= this.lastFrame) this.#setPlaying(false);
     }
-    this.drawnAt = this.clock.isPlaying ? now : null;
+    this.drawnAt = this.clock.isPlaying && this.isSeen ? now : null;
     this.timeline.draw(this.simulation.frames, this.simulated, this.#nudgesOnTimeline(), this.predict.isAsking);
   }
 

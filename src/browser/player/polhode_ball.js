@@ -4,6 +4,8 @@ const kBallView = [0.55, 0.42];  // Turned to the right and up. [rad]
 const kCurves = [0.03, 0.12, 0.3, 0.55, 0.85];  // Shares of the way from an axis to the separatrix.
 const kTrailFrames = 240;
 const kTrailStep = 2;        // [frames]
+// Of a canvas's context: many short curves are stroked on the processor in a fraction of the time that a graphics card's driver takes for them.
+const kOnProcessor = {willReadFrequently: true};
 const kBallColours = {ball: "#23262b", rim: "#4a4f57", curve: "#6d737c", separatrix: "#f7f5ed", trail: "#e899d9", now: "#ffffff"};
 
 /** Returns the points of a curve of energy `energy` about axis `about`, on its positive side; sizes of L and L² are 1. */
@@ -25,6 +27,7 @@ function polhodeCurve(moments, energy, about) {
 class PolhodeBall {
   constructor(canvas) {
     this.canvas = canvas;
+    this.fixed = document.createElement("canvas");  // What stays from picture to picture.
     const [a, b] = kBallView;
     // Rows: right, up, toward the viewer; the cover's axis z looks at the viewer, y is up.
     this.rows = [[Math.cos(a), 0, -Math.sin(a)],
@@ -45,8 +48,7 @@ class PolhodeBall {
     return [0, 1, 2].map((axis) => this.rows.reduce((sum, row, i) => sum + row[axis] * seen[i], 0));
   }
 
-  #curve(points, colour, width) {
-    const context = this.context;
+  #curve(context, points, colour, width) {
     for (const isFront of [false, true]) {
       context.beginPath();
       let isDown = false;
@@ -65,8 +67,8 @@ class PolhodeBall {
     context.globalAlpha = 1;
   }
 
-  #ground(moments, unit) {
-    const context = this.context, inverse = moments.map((moment) => 1 / moment);
+  #ground(context, moments, unit) {
+    const inverse = moments.map((moment) => 1 / moment);
     const order = [0, 1, 2].sort((a, b) => inverse[a] - inverse[b]), middle = inverse[order[1]];
     context.fillStyle = kBallColours.ball;
     context.beginPath();
@@ -82,14 +84,13 @@ class PolhodeBall {
         const points = polhodeCurve(moments, inverse[about] + share * (middle - inverse[about]), about);
         const isLast = share === 1;
         for (const curve of [points, mirrored(points)]) {
-          this.#curve(curve, isLast ? kBallColours.separatrix : kBallColours.curve, isLast ? 1.3 * unit : 0.8 * unit);
+          this.#curve(context, curve, isLast ? kBallColours.separatrix : kBallColours.curve, isLast ? 1.3 * unit : 0.8 * unit);
         }
       }
     }
   }
 
-  #letters(unit) {
-    const context = this.context;
+  #letters(context, unit) {
     context.font = `600 ${12 * unit}px system-ui, sans-serif`;
     context.textAlign = "center";
     context.textBaseline = "middle";
@@ -102,24 +103,35 @@ class PolhodeBall {
     context.globalAlpha = 1;
   }
 
+  /** Draws the ball, its curves and letters, unless they are there as they shall be. */
+  #drawFixed(moments, size, scale) {
+    const key = [size, scale, ...moments].join();
+    if (key === this.fixedKey) return;
+    this.fixedKey = key;
+    this.fixed.width = this.fixed.height = size;
+    const context = this.fixed.getContext("2d", kOnProcessor);
+    this.#ground(context, moments, scale);
+    this.#letters(context, scale);
+  }
+
   /** `trail`: directions of L in the book's axes, the last of them now; `size` and the width of a line, `scale`, in pixels. */
   draw(moments, trail, size = Math.round(this.canvas.clientWidth * (devicePixelRatio || 1)), scale = (devicePixelRatio || 1) * letterSize()) {
     if (size === 0) return;
     if (this.canvas.width !== size) this.canvas.width = this.canvas.height = size;
-    this.context = this.canvas.getContext("2d");
     this.middle = size / 2;
     this.radius = 0.415 * size;
-    this.context.clearRect(0, 0, size, size);
-    this.#ground(moments, scale);
-    this.#curve(trail, kBallColours.trail, 2 * scale);
-    this.#letters(scale);
+    this.#drawFixed(moments, size, scale);
+    const context = this.canvas.getContext("2d", kOnProcessor);
+    context.clearRect(0, 0, size, size);
+    context.drawImage(this.fixed, 0, 0);
+    this.#curve(context, trail, kBallColours.trail, 2 * scale);
     const [x, y, depth] = this.#place(trail[trail.length - 1]);
-    this.context.globalAlpha = depth < 0 ? 0.45 : 1;
-    this.context.fillStyle = kBallColours.now;
-    this.context.beginPath();
-    this.context.arc(x, y, 4 * scale, 0, 2 * Math.PI);
-    this.context.fill();
-    this.context.globalAlpha = 1;
+    context.globalAlpha = depth < 0 ? 0.45 : 1;
+    context.fillStyle = kBallColours.now;
+    context.beginPath();
+    context.arc(x, y, 4 * scale, 0, 2 * Math.PI);
+    context.fill();
+    context.globalAlpha = 1;
   }
 }
 

@@ -1,7 +1,11 @@
 // The picture: where each book is in it, at what size it is drawn, and what is drawn over it.
 
 const kLargestScale = 2;       // Pixels of the screen a CSS pixel.
-const kSlowPicture = 30;       // Slower than this, pictures are drawn smaller. [ms]
+const kSlowPicture = 34;       // Slower than this, pictures are drawn smaller: 30 a second aren't. [ms]
+const kJudgedPictures = 15;    // The middle of so many times is taken for theirs.
+const kStep = 0.8, kLeastQuality = 0.5;
+const kHelps = 0.9;            // Share of the time in which a smaller picture must be there to be worth it.
+const kRest = 30;              // After one that wasn't, judgements without a try.
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
 /** Divides a picture such that the panels' shorter sides are longest. Returns areas [pixels]. */
@@ -18,6 +22,35 @@ function dividedAreas(count, width, height) {
   });
 }
 
+/** How sharply a moving picture is drawn: less on a machine that takes long, if that helps; as before when there is time again. */
+class Quality {
+  constructor() {
+    this.value = 1;  // Share of the sharpness.
+    this.times = [];
+    this.rest = 0;
+    this.sharper = null;  // The time that a picture took before the last step down. [ms]
+  }
+
+  /** Takes in the time since the last picture. [ms] */
+  take(passed) {
+    this.times.push(passed);
+    if (this.times.length < kJudgedPictures) return;
+    this.#judge(this.times.sort((a, b) => a - b)[kJudgedPictures >> 1]);
+    this.times = [];
+  }
+
+  #judge(took) {
+    const {sharper} = this, hasHelped = sharper === null || took < kHelps * sharper;
+    this.sharper = null;
+    this.rest = hasHelped ? Math.max(this.rest - 1, 0) : kRest;
+    if (!hasHelped) this.value /= kStep;
+    else if (took > kSlowPicture && this.rest === 0 && kStep * this.value >= kLeastQuality) {
+      this.sharper = took;
+      this.value *= kStep;
+    } else if (took < kStep ** 2 * kSlowPicture) this.value = Math.min(this.value / kStep, 1);  // In time even if all of it went to the pixels.
+  }
+}
+
 class Stage {
   constructor(root, core, pictures, shaders) {
     this.picture = root.querySelector(".rb-picture");
@@ -25,8 +58,7 @@ class Stage {
     this.labels = root.querySelector(".rb-labels");
     this.core = core;
     this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
-    this.quality = 1;
-    this.took = 0;
+    this.quality = new Quality();
     this.books = [];
   }
 
@@ -35,7 +67,7 @@ class Stage {
   /** Pixels of the lines a CSS pixel. */
   get sharpness() { return Math.min(devicePixelRatio || 1, kLargestScale); }
   /** Pixels of the drawing a CSS pixel. */
-  get scale() { return this.sharpness * (this.isMoving ? this.quality : 1); }
+  get scale() { return this.sharpness * (this.isMoving ? this.quality.value : 1); }
 
   /** Width of a line. [pixels of the lines] */
   get unit() { return this.sharpness * letterSize(); }
@@ -44,14 +76,6 @@ class Stage {
     const {box} = this, width = Math.max(Math.round(box.width * scale), 2), height = Math.max(Math.round(box.height * scale), 2);
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
-  }
-
-  /** Draws less sharply on a machine that takes long, so that motion stays smooth. `passed`: since the last picture [ms]. */
-  adapt(passed) {
-    this.took = 0.9 * this.took + 0.1 * Math.min(passed, 200);
-    if (this.took < kSlowPicture || this.quality <= 0.5) return;
-    this.quality = Math.max(0.75 * this.quality, 0.5);
-    this.took = 0;
   }
 
   /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, hand, flick, scales}. */
@@ -121,7 +145,7 @@ class Stage {
     const motion = state.read.motions[i];
     if (shown.poinsot) {
       const poinsot = this.core.poinsot(kPlayed, i, frame, Math.round(kRollingTrail * state.read.rate[0] / state.read.rate[1]));
-      if (poinsot) new Rolling(overlay, poinsot, motion.moments, this.books[i].eye).draw();
+      if (poinsot) new Rolling(overlay, poinsot, motion.moments, this.books[i]).draw();
     }
     if (shown.forces) drawForces(overlay, this.core.forces(kPlayed, i, frame), motion, state.scene.frameOf(i));
   }

@@ -1,0 +1,104 @@
+// Nothing is drawn that needn't be; no time is measured, which bench/live_book.cjs does.
+"use strict";
+
+const assert = require("node:assert/strict");
+const {test, before, after, describe} = require("node:test");
+const {startBrowser, closeBrowser, open, playerScripts, frameOf, checksumOf} = require("./live_page.cjs");
+
+before(() => startBrowser());
+after(closeBrowser);
+
+describe("the sharpness of a moving picture", () => {
+  const {Quality} = playerScripts(["stage"], ["Quality"]);
+  /** Takes `count` pictures, each of as long as `time` says of the quality [ms]; returns the qualities that there were. */
+  const qualities = (quality, count, time) => {
+    const seen = new Set();
+    for (let i = 0; i < count; ++i) {
+      quality.take(time(quality.value));
+      seen.add(Number(quality.value.toFixed(3)));
+    }
+    return [...seen];
+  };
+
+  test("stays where pictures come in time", () => {
+    assert.deepEqual(qualities(new Quality(), 1000, () => 1000 / 30), [1]);
+  });
+
+  test("falls to half where pixels take the time, and returns when there is time", () => {
+    const quality = new Quality();
+    qualities(quality, 300, (value) => 200 * value * value);
+    assert.equal(quality.value.toFixed(3), "0.512");
+    qualities(quality, 300, () => 1000 / 60);
+    assert.equal(quality.value, 1);
+  });
+
+  test("finds the size that is in time, and keeps it", () => {
+    const quality = new Quality(), time = (value) => 45 * value * value;
+    qualities(quality, 100, time);
+    assert.deepEqual(qualities(quality, 3000, time), [0.8]);
+  });
+
+  test("doesn't fall for long where that doesn't help", () => {
+    const quality = new Quality();
+    const shares = Array.from({length: 9000}, () => { quality.take(100); return quality.value; });
+    const sharp = shares.filter((value) => value === 1).length / shares.length;
+    assert.equal(quality.value, 1);
+    assert.ok(sharp > 0.95, `sharp in ${sharp} of the pictures`);  // Measured 0.968.
+  });
+
+  test("isn't led astray by single slow pictures", () => {
+    let i = 0;
+    assert.deepEqual(qualities(new Quality(), 1000, () => (++i % 5 === 0 ? 200 : 20)), [1]);
+  });
+});
+
+test("off screen time stands still, and nothing is drawn but what is changed", async () => {
+  const {page, problems, close} = await open();
+  await checksumOf(page);
+  await page.evaluate(() => {
+    document.body.append(Object.assign(document.createElement("div"), {style: "height: 5000px"}));
+    const {player} = rotatebook, {view} = player.drawing, draw = view.draw;
+    window.drawn = 0;
+    view.draw = function(...values) { drawn += 1; return draw.apply(this, values); };
+    player.start();
+  });
+  const pictures = () => page.evaluate(() => drawn);
+  const scroll = (y) => page.evaluate(async (place) => {
+    scrollTo(0, place);
+    for (let i = 0; i < 10; ++i) await new Promise(requestAnimationFrame);
+  }, y);
+  await page.waitForFunction(() => drawn > 2);
+  await scroll(5000);
+  const [before, frame] = [await pictures(), await frameOf(page)];
+  await scroll(4000);
+  assert.equal(await pictures(), before);
+  assert.equal(await frameOf(page), frame);
+  await page.evaluate(() => rotatebook.player.throwAbout("z"));
+  await scroll(4500);
+  assert.equal(await pictures(), before + 1);
+  await scroll(0);
+  await page.waitForFunction((count) => drawn > count + 2, before);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("the ball's fixed curves are drawn once for a size and a body", async () => {
+  const {page, close} = await open();
+  await page.evaluate(() => {
+    const {stroke} = CanvasRenderingContext2D.prototype;
+    window.strokes = 0;
+    CanvasRenderingContext2D.prototype.stroke = function(...values) { strokes += 1; return stroke.apply(this, values); };
+  });
+  const drawn = (moments, size) => page.evaluate(([all, wide]) => {
+    window.strokes = 0;
+    rotatebook.player.ball.draw(all, [[1, 0, 0], [0.8, 0.6, 0]], wide, 1);
+    return strokes;
+  }, [moments, size]);
+  const whole = await drawn([3, 2, 1], 100);
+  assert.ok(whole > 20, String(whole));
+  assert.equal(await drawn([3, 2, 1], 100), 2);  // The trail, before the ball and behind it.
+  assert.equal(await drawn([3, 2, 1], 120), whole);
+  assert.equal(await drawn([3, 2.5, 1], 120), whole);
+  assert.equal(await drawn([3, 2.5, 1], 120), 2);
+  await close();
+});

@@ -1,6 +1,8 @@
 // Lines over the picture: arrows, axes, springs, the ghost's outline, the hand's throw.
 
 const kColours = {omega: "#fad14d", momentum: "#e899d9", axes: ["#f57552", "#47cc9e", "#6bb0fa"], ghost: "#b8ebff", halo: "rgba(10, 11, 15, 0.75)"};
+// Of a canvas's context: a few lines are drawn by the processor, in less time than a slow graphics card takes for them.
+const kOnProcessor = {willReadFrequently: true};
 const kEdges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 const kFaces = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
 const kStrain = {compressed: [64, 140, 255], rest: [219, 219, 219], stretched: [255, 120, 41]};

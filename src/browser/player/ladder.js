@@ -12,7 +12,7 @@ class Ladder {
     const width = Math.round(kLadderShape * height);
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
-    const context = this.context = this.canvas.getContext("2d"), margin = 12 * scale;
+    const context = this.context = this.canvas.getContext("2d", kOnProcessor), margin = 12 * scale;
     context.clearRect(0, 0, width, height);
     const right = width - 26 * scale;
     this.place = (angle, share) => [8 * scale + (right - 8 * scale) * (0.5 + angle), height - margin - share * (height - 2 * margin)];

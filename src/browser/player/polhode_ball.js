@@ -4,8 +4,6 @@ const kBallView = [0.55, 0.42];  // Turned to the right and up. [rad]
 const kCurves = [0.03, 0.12, 0.3, 0.55, 0.85];  // Shares of the way from an axis to the separatrix.
 const kTrailFrames = 240;
 const kTrailStep = 2;        // [frames]
-// Of a canvas's context: many short curves are stroked on the processor in a fraction of the time that a graphics card's driver takes for them.
-const kOnProcessor = {willReadFrequently: true};
 const kBallColours = {ball: "#23262b", rim: "#4a4f57", curve: "#6d737c", separatrix: "#f7f5ed", trail: "#e899d9", now: "#ffffff"};
 
 /** Returns the points of a curve of energy `energy` about axis `about`, on its positive side; sizes of L and L² are 1. */

@@ -119,7 +119,7 @@ class Stage {
   }
 
   #drawLines(frame, state) {
-    const context = this.lines.getContext("2d"), ratio = this.lines.width / this.picture.width;
+    const context = this.lines.getContext("2d", kOnProcessor), ratio = this.lines.width / this.picture.width;
     context.clearRect(0, 0, this.lines.width, this.lines.height);
     const sharpness = this.lines.width / this.box.width;
     const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));

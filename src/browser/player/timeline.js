@@ -52,7 +52,7 @@ class Timeline {
     this.isStale = false;
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
-    const context = this.canvas.getContext("2d");
+    const context = this.canvas.getContext("2d", kOnProcessor);
     context.clearRect(0, 0, width, height);
     const x = (frame) => frame / Math.max(frames - 1, 1) * width;
     context.fillStyle = "rgba(255, 255, 255, 0.05)";

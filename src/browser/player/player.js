@@ -139,6 +139,7 @@ class Player {
   #take(scene, read, frame) {
     this.read = read;
     this.scene = scene;
+    this.drawing.settling = null;
     this.book = Math.min(this.book, read.motions.length - 1);
     this.clock.rate = read.rate[0] / read.rate[1];
     this.timeline.clear(read.motions.length);

@@ -6,6 +6,7 @@ const kJudgedPictures = 15;    // The middle of so many times is taken for their
 const kStep = 0.8, kLeastQuality = 0.5;
 const kHelps = 0.9;            // Share of the time in which a smaller picture must be there to be worth it.
 const kRest = 30;              // After one that wasn't, judgements without a try.
+const kSettling = 0.5;         // After a throw. [s]
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
 /** Divides a picture such that the panels' shorter sides are longest. Returns areas [pixels]. */
@@ -60,6 +61,7 @@ class Stage {
     this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
     this.quality = new Quality();
     this.books = [];
+    this.settling = null;  // {book, turn}: how a book that was thrown lay, from how it lies in its own frame or that of its L.
   }
 
   /** The picture's size. [CSS pixels] */
@@ -109,8 +111,20 @@ class Stage {
     const orbit = {...state.orbit, distance: state.orbit.distance * narrow};
     const sample = state.hand.seen(i, this.core.sample(kPlayed, i, frame));
     return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
-      ...this.core.camera(kPlayed, i, frame, area.width, area.height, orbit),
+      ...this.#settled(i, frame / state.clock.rate, sample, this.core.camera(kPlayed, i, frame, area.width, area.height, orbit)),
       ...this.#background(state.scene.explicit.look?.background ?? "studio")};
+  }
+
+  /** Returns the camera, turned about the book's middle so that a throw doesn't move the picture at once, but over a while. */
+  #settled(i, time, sample, camera) {
+    const share = this.settling?.book === i ? Math.max(1 - time / kSettling, 0) : 0;
+    if (share === 0) return camera;
+    const [w, ...axis] = this.settling.turn, angle = 2 * Math.atan2(Math.hypot(...axis), Math.abs(w)) * share * share * (3 - 2 * share);
+    const turn = quaternionOf(sized(axis, w < 0 ? -angle : angle)), middle = middleOf(sample), {matrix, eye} = camera;
+    const image = (vector, last) => [0, 1, 2, 3].map((row) => dot(vector, [matrix[row], matrix[4 + row], matrix[8 + row]]) + last * matrix[12 + row]);
+    const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axisOf) => image(turned(turn, axisOf), 0));
+    const place = image(plus(middle, turned(turn, middle), -1), 1);
+    return {...camera, matrix: new Float32Array([...columns, place].flat()), eye: plus(middle, turned(undone(turn), plus([...eye], middle, -1)))};
   }
 
   #background(name) {

@@ -19,7 +19,10 @@ class Throws {
 
   /** Throws a book from rest: it lies as `attitude` says and is spun by `velocity` in its own axes. [rad/s] */
   throwFrom(book, attitude, velocity) {
-    this.#begin(this.player.scene.withThrow(book, attitude, velocity), book);
+    const {player} = this;
+    if (!this.#begin(player.scene.withThrow(book, attitude, velocity), book) || !player.mayMove) return;
+    const {core, drawing} = player, seen = core.sample(kPlayed, book, 0).subarray(kSample.attitude, kSample.attitude + 4);
+    drawing.settling = {book, turn: times(attitude, undone([...seen]))};
   }
 
   /** Returns whether the core takes it. */

@@ -93,6 +93,42 @@ test("a throw has the program's motion", async () => {
   await close();
 });
 
+// From the book, and where L points up, a throw begins with other axes than the motion had before.
+test("a throw doesn't move the picture at once from any frame", async () => {
+  const {page, close} = await open({reducedMotion: "no-preference"});
+  for (const frame of ["body", "momentum", "turning", "world"]) {
+    const [caught, settled] = await page.evaluate((from) => {
+      const {player} = rotatebook, {drawing, hand} = player;
+      player.setFrame(from);
+      player.seek(60);
+      const corners = (at) => {
+        drawing.draw(at, player);
+        const {matrix, sample, area} = drawing.books[0];
+        return Array.from({length: 8}, (_, i) => {
+          const [x, y, z] = sample.subarray(21 + 3 * i), row = (k) => matrix[k] * x + matrix[4 + k] * y + matrix[8 + k] * z + matrix[12 + k];
+          return [area.width * row(0) / row(3) / 2, area.height * row(1) / row(3) / 2];
+        });
+      };
+      const farthest = (a, b) => Math.max(...a.map(([x, y], i) => Math.hypot(x - b[i][0], y - b[i][1])));
+      corners(60);
+      const [x, y] = drawing.middleOfBook(0);
+      hand.hold([x + 40, y], 0);
+      for (let i = 1; i <= 5; ++i) hand.move([x + 40 + 16 * i, y - 10 * i], [16, -10], 20 * i);
+      const before = corners(60);
+      hand.letGo(101);
+      const after = corners(0), later = corners(40), {settling} = drawing;
+      drawing.settling = null;
+      const unsettled = [farthest(corners(0), before), farthest(corners(40), later)];
+      drawing.settling = settling;
+      return [[farthest(after, before), unsettled[0]], unsettled[1]];
+    }, frame);
+    // Pixels. Measured 8e-6; 40 and 45 where nothing is done about it.
+    assert.ok(caught[0] < 0.1 && settled === 0, `${frame}: ${caught} ${settled}`);
+    if (frame === "body" || frame === "momentum") assert.ok(caught[1] > 20, `${frame}: ${caught}`);
+  }
+  await close();
+});
+
 test("a hand that goes round the book turns it like a wheel, one that goes across rolls it", () => {
   const radius = 100, sum = (turns) => [0, 1, 2].map((axis) => turns.reduce((all, turn) => all + turn[axis], 0));
   const round = Array.from({length: 100}, (_, i) => {

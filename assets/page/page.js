@@ -20,12 +20,21 @@
     lastUsed = player;
   }
 
+  /** The line of HTML that shows a clip in another page; from a file, the two are to lie side by side. */
+  function showLine(section) {
+    const video = videoOf(section), details = section.querySelector(".elsewhere");
+    const address = (name) => (location.protocol === "file:" ? video.getAttribute(name) : new URL(video.getAttribute(name), location.href).href);
+    details.querySelector("pre").textContent = `<video controls loop muted playsinline preload="none" width="${video.width}" height="${video.height}" poster="${address("data-poster")}" src="${address("src")}"></video>`;
+    details.hidden = false;
+  }
+
   function build(section) {
     const clip = JSON.parse(section.querySelector("script.data").textContent);
     if (!videoOf(section)) {
       plots.set(section, makePlots(section, clip, new MovingPicture(section, clip)));
       return;
     }
+    showLine(section);
     const player = new Player(section, clip);
     players.set(section, player);
     player.addEventListener("play", () => pauseOthers(player));

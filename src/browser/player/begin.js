@@ -24,13 +24,13 @@ function lackOf() {
 
 /** Opens the tour's step, or plays the scene, in the address, if it has one. */
 async function playHash(player) {
-  const {hash} = location, step = tourStepOf(hash);
+  const {hash} = location, wanted = hashInFrame(hash), step = tourStepOf(wanted);
   if (step !== null) {
     player.tour.open(step);
     return true;
   }
   try {
-    const text = await textOfHash(hash, player.core.words.longestScene);
+    const text = await textOfHash(wanted, player.core.words.longestScene);
     if (text === null && player.tour.isOn) player.tour.leave();
     if (text === null || location.hash !== hash) return false;
     player.load(text, {isPlaying: player.mayMove});
@@ -76,6 +76,7 @@ async function beginLiveBook(root, data) {
   const player = new Player(root, core, {pictures, shaders: JSON.parse(shaders), muxer: data.muxer});
   player.mayMove = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   player.begin(kOpening, player.mayMove);
+  if (kEmbed.test(location.hash)) player.bigScreen.embed();
   keepContext(player);
   keepHash(player);
   await playHash(player);

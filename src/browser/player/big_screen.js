@@ -1,4 +1,4 @@
-// The big screen: the picture and its controls alone, in full screen; and the light look.
+// The big screen: the picture and its controls alone, in full screen or in a frame of another page; and the light look.
 
 class BigScreen {
   /** `player`: with drawing and redraw(). */
@@ -6,6 +6,7 @@ class BigScreen {
     this.root = root;
     this.player = player;
     this.button = root.querySelector("[data-do=full]");
+    this.isEmbedded = false;
     this.button.hidden = !document.fullscreenEnabled;
     root.addEventListener("fullscreenchange", () => this.#show());
   }
@@ -13,9 +14,19 @@ class BigScreen {
   get isFull() { return document.fullscreenElement === this.root; }
 
   #show() {
-    this.root.classList.toggle("rb-bare", this.isFull);
+    this.root.classList.toggle("rb-bare", this.isFull || this.isEmbedded);
     this.button.setAttribute("aria-label", this.isFull ? say("Leave full screen") : say("Full screen"));
     this.player.redraw();
+  }
+
+  /** Nothing else of this page is there, and a link leads to the whole. */
+  embed() {
+    const link = this.root.querySelector(".rb-whole");
+    link.href = location.href.split("#")[0] + hashInFrame(location.hash);
+    link.hidden = false;
+    this.root.querySelector("#rb-title").setAttribute("aria-level", "1");  // The only heading there.
+    this.isEmbedded = true;
+    this.#show();
   }
 
   toggle() {

@@ -31,7 +31,7 @@ class Commands {
       throw: () => player.throwAbout(axis), why: () => player.toggleWhy(), tour: () => player.tour.open(0),
       full: () => player.bigScreen.toggle(), light: () => player.bigScreen.toggleLight(),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
-      save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink()};
+      save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink(), frame: () => this.#copyFrame()};
     actions[name]?.();
   }
 
@@ -39,6 +39,14 @@ class Commands {
     const hash = await hashOf(this.player.sharedText());
     history.replaceState(null, "", hash);
     await this.#copy(location.href, say("The link is in the clipboard."), say("The link is below, ready to copy."));
+  }
+
+  /** A line of HTML for another page. A file's folder means nothing elsewhere: from a file, the two are to lie side by side. */
+  async #copyFrame() {
+    const [page] = location.href.split("#"), hash = await hashOf(this.player.sharedText());
+    const src = `${location.protocol === "file:" ? page.replace(/.*\//, "") : page}#embed&${hash.slice(1)}`;
+    const frame = make("iframe", {src, title: say("The live book"), width: "960", height: "600", allowFullscreen: true, loading: "lazy"});
+    await this.#copy(frame.outerHTML, say("The frame is in the clipboard: a line of HTML for another page."), say("The frame is below, ready to copy."));
   }
 
   async #copy(text, done, ready) {

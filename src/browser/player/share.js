@@ -1,6 +1,10 @@
 // A scene as text that travels: in an address, in the clipboard, in a file.
 
 const kHash = "#play=";
+const kEmbed = /^#embed(&|$)/;
+
+/** Returns what the hash of an address in a frame, such as #embed&tour=3, is in the whole page: #tour=3. */
+const hashInFrame = (hash) => hash.replace(kEmbed, (word, more) => (more ? "#" : ""));
 
 async function throughStream(bytes, stream, limit = Infinity) {
   const writer = stream.writable.getWriter();

@@ -86,7 +86,7 @@ async function open(options = {}, {hash = "", script = null, isReady = "true", f
   page.on("pageerror", (error) => problems.push(String(error)));
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push("network: " + request.url()); });
   await page.goto(file + hash);
-  await page.waitForFunction((wanted) => document.querySelector(".rb-live").dataset.ready === wanted, isReady);
+  if (isReady) await page.waitForFunction((wanted) => document.querySelector(".rb-live").dataset.ready === wanted, isReady);
   return {page, problems, close: () => context.close()};
 }
 

@@ -43,7 +43,7 @@ const std::map<std::string, Room> kRooms{
     {"study", {"core", {"base", "rigid", "physics", "scene", "timeline"}, {"Eigen/", "nlohmann/"}}},
     {"bridge",
      {"browser",
-      {"base", "rigid", "body", "physics", "geometry", "scene", "timeline"},
+      {"base", "rigid", "body", "recording", "physics", "geometry", "scene", "timeline"},
       {"Eigen/"}}},
     {"system", {"platform", {"base"}, {}}},
     {"image",

@@ -22,6 +22,8 @@
 #include "bridge/scene_json.h"
 #include "bridge/why_numbers.h"
 #include "geometry/book_mesh.h"
+#include "recording/inertial_recording.h"
+#include "recording/toss.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/trajectory_csv.h"
@@ -201,6 +203,16 @@ const double* numbersFor(std::int32_t* count, const Make& make) {
   });
 }
 
+std::vector<double> flightNumbers(const double* readings, std::int32_t count) {
+  recording::InertialRecording recording;
+  for (const double* one = readings; one != readings + 7 * std::ptrdiff_t{count}; one += 7) {
+    recording.readings.push_back({{one[0], Eigen::Vector3d(one + 1)}, Eigen::Vector3d(one + 4)});
+  }
+  const auto flight = recording::findFlight(recording);
+  if (!flight) return {};
+  return {flight->from, flight->to, flight->start.x(), flight->start.y(), flight->start.z()};
+}
+
 std::vector<double> forcesIn(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
   const PlayedScene& played = in(slot);
   const auto key = std::pair(slot, motion);
@@ -244,6 +256,10 @@ std::int32_t rb_file(std::int32_t nameLength, std::int32_t length) {
     takeFile(nameLength, length);
     return "";
   });
+}
+
+const double* rb_flight(const double* readings, std::int32_t readingCount, std::int32_t* count) {
+  return numbersFor(count, [&] { return flightNumbers(readings, readingCount); });
 }
 
 std::int32_t rb_read(std::int32_t slot, std::int32_t length) {

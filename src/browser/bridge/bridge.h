@@ -51,6 +51,12 @@ enum { kMaxFiles = 16 };
 /// negative with the message if the buffer isn't as large, or there are kMaxFiles others.
 std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
 
+/// Finds the flight of a toss in readings of seven doubles each: time [s], angular velocity x y z
+/// [rad/s], specific force x y z [m/s^2]. Returns the address of `count[0]` doubles, valid until
+/// the next call: when it begins and ends, and the angular velocity that it begins with; 0 of them
+/// if nothing flew.
+const double* rb_flight(const double* readings, std::int32_t readingCount, std::int32_t* count);
+
 /// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of
 /// what follows from it: {"rate": [n, d], "interval": simulated seconds a frame, "motions":
 /// [{"label", "model", "body": [x, y, z], "springs": [[i, j, length]], "moments": [3]}],

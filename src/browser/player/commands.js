@@ -31,6 +31,7 @@ class Commands {
       throw: () => player.throwAbout(axis), why: () => player.toggleWhy(), tour: () => player.tour.open(0),
       full: () => player.bigScreen.toggle(), light: () => player.bigScreen.toggleLight(),
       reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), say("The scene is in the clipboard."), say("The scene is below, ready to copy.")),
+      toss: () => player.toss.record(), keep: () => player.toss.save(),
       save: () => saveText(player.sharedText(), "live-book.toml"), clip: () => player.saver.save(), cancel: () => player.saver.cancel(), link: () => this.#copyLink(), frame: () => this.#copyFrame()};
     actions[name]?.();
   }

@@ -141,6 +141,14 @@ class Core {
     return new Float64Array(heap.slice(address, address + 8 * new Int32Array(heap, this.buffer, 1)[0]));
   }
 
+  /** Returns {from, to, start [rad/s]} of the flight in readings [time, rate x y z, force x y z]; null if nothing flew. [s, rad/s, m/s²] */
+  flight(readings) {
+    const first = this.buffer + 16;  // Behind the count of the answer.
+    new Float64Array(this.module.HEAPU8.buffer, first, 7 * readings.length).set(readings.flat());
+    const [from, to, ...start] = this.#counted("flight", first, readings.length);
+    return from === undefined ? null : {from, to, start};
+  }
+
   /** Returns {longest, masses: [{place, held, centrifugal, coriolis, euler}]}. [N/kg] */
   forces(slot, motion, frame) {
     const numbers = this.#counted("forces", slot, motion, frame), masses = [];

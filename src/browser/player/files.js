@@ -4,6 +4,14 @@ class Files {
   /** `player`: with core, announcer, drawing, edits, mayMove and load(text, options). */
   constructor(player) {
     this.player = player;
+    this.things = [];
+  }
+
+  /** Takes files that scenes may name, {name, bytes}, in place of all others. */
+  take(things) {
+    this.things = things;
+    this.player.core.takeFiles(things);
+    this.player.drawing.forgetBodies();
   }
 
   /** Proves a clip and plays its scene, or plays a dropped scene. A later file takes this one's place. */
@@ -32,10 +40,8 @@ class Files {
     if (file.size > kLargestThing) throw new SceneError(say("it is longer than 1 MB, the limit here; rotatebook render takes it"));
     const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
     if (!isWanted()) return;
-    const before = this.things ?? [], problems = [];
-    this.things = [{name: file.name, bytes}];
-    this.player.core.takeFiles(this.things);
-    this.player.drawing.forgetBodies();
+    const before = this.things, problems = [];
+    this.take([{name: file.name, bytes}]);
     for (const tree of scenesOfThing(file.name, this.player.core.words.keys.title.max)) {
       const text = this.player.core.textOf(tree);
       try {
@@ -47,8 +53,7 @@ class Files {
       this.player.load(text, {isPlaying: this.player.mayMove});
       return;
     }
-    this.things = before;  // The scene that goes on names them.
-    this.player.core.takeFiles(before);
+    this.take(before);  // The scene that goes on names them.
     throw problems[0];
   }
 

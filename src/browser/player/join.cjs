@@ -12,7 +12,7 @@ const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
 const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "polhode_ball", "forces", "poinsot", "ladder", "timeline",
   "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "tour", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
-  "throws", "outcome", "files", "big_screen", "player", "commands", "begin"];
+  "throws", "outcome", "files", "toss", "big_screen", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",
   stars: "stars.frag", studio_lights: "studio_lights.glsl", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
 

@@ -51,6 +51,7 @@ class Player {
     this.saver = new ClipSaver(root, this);
     this.bigScreen = new BigScreen(root, this);
     this.files = new Files(this);
+    this.toss = new Toss(this);
     this.hand = new Hand(this);
     this.ladder = new Ladder(this.find(".rb-ladder"));
     this.outcome = new Outcome(this.find(".rb-said"), this.find(".rb-hint"), this.announcer);

@@ -25,24 +25,6 @@ Range between(const InertialRecording& recording, double from, double to) {
           static_cast<std::size_t>(end - all.begin())};
 }
 
-/// Returns the longest run of readings in free flight, without its ends.
-Range longestFlight(const InertialRecording& recording, double lever) {
-  Range longest{0, 0};
-  std::size_t start = 0;
-  for (std::size_t i = 0; i <= recording.readings.size(); ++i) {
-    bool isFree = false;
-    if (i < recording.readings.size()) {
-      const InertialReading& one = recording.readings[i];
-      const double rate = one.rate.angularVelocity.norm();
-      isFree = rate > kSlowest && one.force.norm() < kFreeForce + rate * rate * lever;
-    }
-    if (isFree) continue;
-    if (i - start > longest.second - longest.first) longest = {start, i};
-    start = i + 1;
-  }
-  return withoutEnds(longest);
-}
-
 /// Returns the noise of a rate by the differences between neighbours, which slow turns hardly
 /// change: at least that of rounding to the step between the values.
 double noiseOf(Readings readings) {
@@ -93,6 +75,23 @@ Range withoutEnds(Range range) {
   const auto trim = static_cast<std::size_t>(std::ceil(kTrimmed * static_cast<double>(length)));
   if (length <= 2 * trim) return {0, 0};
   return {range.first + trim, range.second - trim};
+}
+
+Range longestFlight(const InertialRecording& recording, double lever) {
+  Range longest{0, 0};
+  std::size_t start = 0;
+  for (std::size_t i = 0; i <= recording.readings.size(); ++i) {
+    bool isFree = false;
+    if (i < recording.readings.size()) {
+      const InertialReading& one = recording.readings[i];
+      const double rate = one.rate.angularVelocity.norm();
+      isFree = rate > kSlowest && one.force.norm() < kFreeForce + rate * rate * lever;
+    }
+    if (isFree) continue;
+    if (i - start > longest.second - longest.first) longest = {start, i};
+    start = i + 1;
+  }
+  return withoutEnds(longest);
 }
 
 void requireFew(Range flight, const std::string& name) {

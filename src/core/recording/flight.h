@@ -19,6 +19,10 @@ using Range = std::pair<std::size_t, std::size_t>;
 /// Returns the range without the 2 % at each end that may be the hand's; empty if nothing remains.
 Range withoutEnds(Range range);
 
+/// Returns the longest run of readings in free flight by the specific force, without its ends;
+/// `lever`: TossOptions::lever.
+Range longestFlight(const InertialRecording& recording, double lever);
+
 /// Throws InputError, beginning with `name`, for a flight of more than kMaxReadings.
 void requireFew(Range flight, const std::string& name);
 

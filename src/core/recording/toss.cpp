@@ -355,6 +355,13 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
 
 }  // namespace
 
+std::optional<Flight> findFlight(const InertialRecording& recording) {
+  const auto [first, end] = longestFlight(recording, TossOptions{}.lever);
+  if (end - first < kMinReadings) return {};
+  const auto &from = recording.readings[first].rate, &to = recording.readings[end - 1].rate;
+  return Flight{recording.zero + from.time, recording.zero + to.time, from.angularVelocity};
+}
+
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options) {
   const bool isStated = options.from || options.to;

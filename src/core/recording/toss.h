@@ -49,6 +49,16 @@ inline constexpr double kSmallestGap = 5;
 /// have 0.001 to 0.02, windows that hold a catch 0.2 to 0.6.
 inline constexpr double kLargestResidual = 0.05;
 
+/// The flight of a toss.
+struct Flight {
+  double from = 0, to = 0;         ///< Of the recording's times. [s]
+  Eigen::Vector3d start{0, 0, 0};  ///< The rate as it is read at the flight's start. [rad/s]
+};
+
+/// Returns the flight that fitToss() takes by the specific force, unfitted; nothing for fewer than
+/// 10 readings.
+std::optional<Flight> findFlight(const InertialRecording& recording);
+
 /// Fits the inertia, up to its scale, and the motion to the rates of a flight. Start values: with
 /// the attitudes R from the rates, R I w - L = 0 is linear in the entries of I and L, and one
 /// eigenvalue problem gives them. From there the rates of the free motion are fitted to

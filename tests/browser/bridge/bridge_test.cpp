@@ -55,6 +55,21 @@ TEST(Bridge, TellsTheCaptionsInTimeWithTheirFrames) {
   EXPECT_THAT(taken(rb_read(0, put(kScene))), HasSubstr("\"captions\": []"));
 }
 
+TEST(Bridge, FindsTheFlightInReadings) {
+  std::vector<double> readings;
+  for (int i = 0; i < 60; ++i) {
+    const bool flies = i >= 20 && i < 40;
+    for (const double number : {0.02 * i, 0.0, flies ? 7.0 : 0.0, 0.5, 0.0, 0.0, flies ? 0.0 : 9.8})
+      readings.push_back(number);
+  }
+  std::int32_t count = 0;
+  const double* const flight = rb_flight(readings.data(), 60, &count);
+  EXPECT_THAT(std::vector(flight, flight + count),
+              ::testing::ElementsAre(0.02 * 21, 0.02 * 38, 0, 7, 0.5));
+  rb_flight(readings.data(), 25, &count);
+  EXPECT_EQ(count, 0) << "too few readings fly";
+}
+
 TEST(Bridge, ReadsRecordingsThatItWasGiven) {
   constexpr std::string_view kName = "a.csv";
   constexpr std::string_view kTable =

@@ -135,8 +135,12 @@
   }
   for (const toy of toys) {
     toy.addEventListener("click", () => {
-      const figure = toy.closest(".figure"), data = figure.querySelector("script.data");
-      window.rotatebook?.play(figure.querySelector("pre.scene").textContent, (data && JSON.parse(data.textContent).checksum) ?? null);
+      const figure = toy.closest(".figure"), data = figure.querySelector("script.data"), address = "#" + encodeURIComponent(figure.id);
+      // The way back leads to the figure.
+      history.replaceState(null, "", address);
+      location.hash = "#play";
+      window.rotatebook?.play(figure.querySelector("pre.scene").textContent, (data && JSON.parse(data.textContent).checksum) ?? null,
+        {title: figure.querySelector("h2").textContent, address});
     });
   }
   connectToys();

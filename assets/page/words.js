@@ -22,7 +22,7 @@ const say = (() => {
     return String(text).replace(".", words.decimal_mark ?? ".");
   };
 
-  const kSaid = [["[aria-label]", "aria-label"], ["[aria-roledescription]", "aria-roledescription"], ["meta[name=description]", "content"]];
+  const kSaid = [["[aria-label]", "aria-label"], ["[aria-roledescription]", "aria-roledescription"], ["[title]", "title"], ["meta[name=description]", "content"]];
 
   /** Puts what an element and those within it say into the page's language. */
   say.within = (root) => {

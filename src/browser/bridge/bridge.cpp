@@ -262,6 +262,13 @@ const double* rb_flight(const double* readings, std::int32_t readingCount, std::
   return numbersFor(count, [&] { return flightNumbers(readings, readingCount); });
 }
 
+std::int32_t rb_recording(std::int32_t length) {
+  return answerOf([&] {
+    const std::string name(given(length));
+    return recordingJson(takenFile(name, kBufferSize), name);
+  });
+}
+
 std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
   return answerOf([&] {
     std::optional<PlayedScene>& held = slotAt(slot);

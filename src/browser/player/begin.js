@@ -87,10 +87,13 @@ async function beginLiveBook(root, data) {
   new ResizeObserver(() => player.redraw()).observe(player.stage);
   new IntersectionObserver((changes) => { player.isSeen = changes.at(-1).isIntersecting; }).observe(player.stage);
   window.rotatebook = {
-    /** Plays a scene's text, beside which its clip's record states the checksum `motion`, if any; returns whether the core takes it. */
-    play(text, motion = null) {
+    /**
+     * Plays a scene's text, beside which its clip's record states the checksum `motion`, if any; `origin`: as of Loaded.take(). Returns whether
+     * the core takes it.
+     */
+    play(text, motion = null, origin = null) {
       const record = motion && {motion};
-      const isPlayed = player.load(text, {record, isPlaying: player.mayMove});
+      const isPlayed = player.load(text, {record, origin, isPlaying: player.mayMove});
       root.scrollIntoView();
       return isPlayed;
     },

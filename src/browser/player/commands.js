@@ -21,6 +21,7 @@ class Commands {
       player.slowsAtFlips = target.value === "flips";
       player.speed = Number(target.value) || 1;
     });
+    root.querySelector(".rb-more").addEventListener("toggle", () => player.redraw());
     this.#takeFiles();
     this.#listenToBall();
   }
@@ -119,9 +120,12 @@ class Commands {
 
   /** Starts with an angular momentum along a direction in the book's axes, as large as it is. */
   #startAlong(direction) {
+    if (!this.player.canThrow()) return;
     const {player} = this, {moments} = player.read.motions[player.book];
     const size = player.scales[player.book].momentum;
-    player.apply(player.scene.withVelocity(player.book, direction.map((part, axis) => size * part / moments[axis])), {frame: 0});
+    if (!player.apply(player.scene.withVelocity(player.book, direction.map((part, axis) => size * part / moments[axis])), {frame: 0})) return;
+    player.outcome.expect(player.core.spin(kPlayed, player.book));
+    player.announcer.announce(player.outcome.words);
   }
 
   #ballKey(event) {

@@ -18,10 +18,12 @@ class Controls {
     this.#makeChoice("frame", Object.entries(kFrames), (scene, book) => scene.frameOf(book), (frame) => player.setFrame(frame), (frame) => frame !== "momentum");
     const why = root.querySelector("[data-do=why]");
     this.refreshers.push(() => why.setAttribute("aria-pressed", String(player.showsWhy)));
+    const throwing = root.querySelectorAll("[data-do=throw], [data-do=jiggle], [data-choice=model]");
+    this.refreshers.push(() => { for (const control of throwing) control.disabled = !player.canThrow(); });
     this.#makeChoice("model", player.core.words.models.map(({name}) => [name, say(name)]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
     this.#makeChoice("books", [["one", say("one")], ["same", say("two")], ["exact", say("two, one exact")]], (scene) => player.booksChoice(scene),
-      (choice) => player.setBooks(choice), (choice, model) => choice !== "exact" || model !== "exact");
+      (choice) => player.setBooks(choice), (choice, model) => choice === "one" || model !== "recorded" && (choice !== "exact" || model !== "exact"));
     this.#makeEdited();
     this.#makeIntegrator();
     for (const knob of kKnobs) this.#makeKnob(knob);

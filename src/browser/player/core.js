@@ -9,6 +9,9 @@ const kParts = ["front", "spine", "back", "pages", "lining"];
 /** What the core refuses: the message that the program prints. */
 class SceneError extends Error {}
 
+/** Returns a refusal for people, who know no scene.toml: with the `file` and the place in it, or without both. */
+const refusalOf = (message, file = "") => message.replace(/^scene\.toml((?::\d+)*): /, (all, place) => (file ? `${file}${place}: ` : ""));
+
 /** Returns what stopped the module in the middle of a call, as people can understand it; other errors as they are. */
 function understandable(error) {
   const problem = (words) => new SceneError(words, {cause: error});
@@ -73,6 +76,9 @@ class Core {
       this.#text(this.#call("file", nameBytes.length, bytes.length));
     }
   }
+
+  /** Returns {duration, turning: [from, to], null if there is none} of a recording that was taken. */
+  recording(name) { return JSON.parse(this.#text(this.#call("recording", this.#put(name)))); }
 
   /** Begins to look for the record in a clip of `size` bytes. */
   beginClip(size) { this.#call("clip", size); }

@@ -2,7 +2,7 @@
 
 const kSilence = 1500;  // [ms]
 
-const seconds = (time) => `${say.number(time.toFixed(2))} s`;
+const seconds = (time) => `${say.number(time.toFixed(time < 1e4 ? 2 : 0))} s`;
 
 class Announcer {
   constructor(region, message) {

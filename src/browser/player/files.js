@@ -25,7 +25,7 @@ class Files {
     } catch (error) {
       if (!isWanted()) return;
       const isExpected = error instanceof RecordError || error instanceof SceneError;
-      this.player.announcer.show(error instanceof RecordError ? error.message : `${file.name}: ${error.message}`, "bad");
+      this.player.announcer.show(error instanceof RecordError ? error.message : `${file.name}: ${refusalOf(error.message)}`, "bad");
       if (!isExpected) throw error;
     }
   }
@@ -33,28 +33,38 @@ class Files {
   async #openScene(file, isWanted) {
     if (file.size > this.player.core.words.longestScene) throw new SceneError(say("it is longer than 32 KiB, the limit for a scene"));
     const text = await readable(file.name, () => file.text());
-    if (isWanted()) this.player.load(text, {isPlaying: this.player.mayMove});
+    if (isWanted()) this.player.load(text, {isPlaying: this.player.mayMove, file: file.name});
   }
 
   async #openThing(file, isWanted) {
     if (file.size > kLargestThing) throw new SceneError(say("it is longer than 1 MB, the limit here; rotatebook render takes it"));
     const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
     if (!isWanted()) return;
-    const before = this.things, problems = [];
-    this.take([{name: file.name, bytes}]);
-    for (const tree of scenesOfThing(file.name, this.player.core.words.keys.title.max)) {
+    const before = this.things;
+    try {
+      this.take([{name: file.name, bytes}]);
+      this.#playFirst(scenesOfThing(file.name, this.player.core));
+    } catch (error) {
+      this.take(before);  // The scene that goes on names them.
+      throw error;
+    }
+  }
+
+  /** Plays the first scene that the core accepts; throws its problem with the first if there is none. */
+  #playFirst(trees) {
+    let problem = null;
+    for (const tree of trees) {
       const text = this.player.core.textOf(tree);
       try {
         this.player.core.read(kProof, text);
       } catch (error) {
-        problems.push(error);
+        problem ??= error;
         continue;
       }
       this.player.load(text, {isPlaying: this.player.mayMove});
       return;
     }
-    this.take(before);  // The scene that goes on names them.
-    throw problems[0];
+    throw problem;
   }
 
   async #openClip(file, isWanted, edits) {

@@ -12,7 +12,7 @@ const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
 const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "polhode_ball", "forces", "poinsot", "ladder", "timeline",
   "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "tour", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
-  "throws", "outcome", "files", "toss", "big_screen", "player", "commands", "begin"];
+  "throws", "outcome", "files", "loaded", "toss", "big_screen", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",
   stars: "stars.frag", studio_lights: "studio_lights.glsl", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
 
@@ -44,10 +44,10 @@ function wordsIn(file) {
 /** A script's text must not end its element. */
 const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
 
-/** Takes comments and spaces out of scripts, by the esbuild that joined the muxer; names stay. */
-function shortened(scripts, muxer) {
+/** Shortens scripts or styles, by the esbuild that joined the muxer; names that all of them share stay. */
+function shortened(text, muxer, loader = "js") {
   const esbuild = path.join(path.dirname(muxer), "node_modules/.bin/esbuild");
-  return execFileSync(esbuild, ["--minify-whitespace", "--minify-syntax", "--charset=utf8"], {input: scripts.join("\n"), encoding: "utf8"});
+  return execFileSync(esbuild, ["--minify", "--charset=utf8", "--loader=" + loader], {input: text, encoding: "utf8"});
 }
 
 const zipped = (content) => zlib.gzipSync(content, {level: 9}).toString("base64");
@@ -60,8 +60,8 @@ function fragment(glue, wasm, muxer, folder) {
     pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
   };
   const scripts = [read(kRoot, "assets/page/words.js"), ...kScripts.map((name) => read(kHere, name + ".js"))];
-  const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, shortened(scripts, muxer), "})();"].join("\n");
-  return `<style>\n${read(kHere, "player.css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
+  const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, shortened(scripts.join("\n"), muxer), "})();"].join("\n");
+  return `<style>\n${shortened(read(kHere, "player.css"), muxer, "css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
 }
 
 const [glue, wasm, muxer, version, folder] = process.argv.slice(2);

@@ -19,6 +19,8 @@ class LiveScene {
   }
 
   get bookCount() { return this.tree.panel?.length ?? 1; }
+  /** Of a grid of books; 0 of others. */
+  get gridColumns() { return this.tree.grid ? this.tree.grid.columns?.values.length ?? 1 : 0; }
   /** Returns the same with a changed tree, to change it further. */
   as(tree) { return new LiveScene(tree, this.explicit, "", this.words); }
 
@@ -104,8 +106,11 @@ class LiveScene {
         tree.initial = start;
         return;
       }
-      // A panel would inherit the keys that it lacks.
-      tree.panel.forEach((panel, i) => { panel.initial = i === book ? start : this.startOf(i); });
+      // A panel would inherit the keys that it lacks; a recording states none.
+      tree.panel.forEach((panel, i) => {
+        if (i === book) panel.initial = start;
+        else if (this.value(i, "simulation", "model") !== "recorded") panel.initial = this.startOf(i);
+      });
       delete tree.initial;
     });
   }

@@ -39,7 +39,7 @@ class Player {
     this.edits = 0;
     this.motionEdits = 0;
     this.wanted = null;
-    this.simulation = new Simulation(core, (message) => this.announcer.show(message, "bad"));
+    this.simulation = new Simulation(core, (message) => this.announcer.show(refusalOf(message), "bad"));
     this.drawing = new Stage(root, core, materials.pictures, materials.shaders);
     this.stage = this.drawing.lines;
     this.timeline = new Timeline(this.find(".rb-timeline canvas"), this.find(".rb-seek"));
@@ -52,6 +52,7 @@ class Player {
     this.bigScreen = new BigScreen(root, this);
     this.files = new Files(this);
     this.toss = new Toss(this);
+    this.loaded = new Loaded(this.find(".rb-title"), this);
     this.hand = new Hand(this);
     this.ladder = new Ladder(this.find(".rb-ladder"));
     this.outcome = new Outcome(this.find(".rb-said"), this.find(".rb-hint"), this.announcer);
@@ -84,17 +85,21 @@ class Player {
   get frame() { return this.wanted ?? Math.min(this.clock.frame, this.lastFrame); }
   timeOf(frame) { return this.core.numbers(kPlayed, 0, Math.min(frame, this.lastFrame), [kSample.time])[0]; }
 
-  /** Plays a scene's text from its beginning; the last good scene stays if it is none. Returns whether it is played. */
-  load(text, {frame = 0, isPlaying = true, record = null, isQuestion = false, isStep = false} = {}) {
+  /**
+   * Plays a scene's text from its beginning, or a frame; the last good scene stays if it is none. Returns whether it is played. `origin`: as of
+   * Loaded.take(); `file`: the name of the file that it is in.
+   */
+  load(text, {frame = 0, isPlaying = true, record = null, isQuestion = false, isStep = false, origin = null, file = ""} = {}) {
     try {
       const tree = this.core.treeOf(text);
-      if (!this.#play(tree, text, {frame, isPlaying, record, isQuestion})) return false;
+      if (!this.#play(tree, text, {frame, isPlaying, record, isQuestion, file})) return false;
       if (!isStep) this.tour.forget();
-      this.original = text;
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
+      if (!isQuestion && !isStep) this.loaded.take(text, record, origin);
+      this.loaded.show();
       return true;
     } catch (error) {
-      this.#refuse(error);
+      this.#refuse(error, file);
       return false;
     }
   }
@@ -102,6 +107,7 @@ class Player {
   /** Changes the scene to an edited tree, at the picture's frame or another. Returns whether the core takes it. */
   apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying, isMotion = true} = {}) {
     if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying, isMotion})) return false;
+    this.loaded.show();
     this.edits += 1;
     if (isMotion) this.motionEdits += 1;
     this.onEdit();
@@ -111,19 +117,19 @@ class Player {
   /** As above, of what is seen of the same motion. */
   see(tree) { return this.apply(tree, {isMotion: false}); }
 
-  #refuse(error) {
+  #refuse(error, file) {
     if (!(error instanceof SceneError)) throw error;
-    this.announcer.show(error.message, "bad");
+    this.announcer.show(refusalOf(error.message, file), "bad");
     this.controls?.refresh();
   }
 
   /** `record`: of the clip whose motion this is said to be. */
-  #play(tree, text, {frame, isPlaying, isMotion = true, record = null, isQuestion = false}) {
+  #play(tree, text, {frame, isPlaying, isMotion = true, record = null, isQuestion = false, file = ""}) {
     let read;
     try {
       read = this.core.read(kPlayed, text);
     } catch (error) {
-      this.#refuse(error);
+      this.#refuse(error, file);
       return false;
     }
     if (!isQuestion) this.predict.leave();
@@ -184,6 +190,7 @@ class Player {
   #showChecksum() {
     const line = this.find(".rb-checksum");
     line.dataset.same = "false";
+    line.dataset.record = String(this.record !== null);
     if (this.simulation.hasFailed) {
       line.textContent = say("No checksum: the motion can’t go on.");
     } else if (!this.isComplete) {
@@ -206,10 +213,16 @@ class Player {
       else this.clock.go(this.clock.position);
       if (this.clock.isPlaying && this.drawnAt) this.drawing.quality.take(now - this.drawnAt);
       if (this.clock.position !== before || this.isDirty) this.#draw(this.frame);
-      if (this.clock.isPlaying && this.simulation.isDone && this.frame >= this.lastFrame) this.#setPlaying(false);
+      if (this.clock.isPlaying && this.simulation.isDone && this.frame >= this.lastFrame) this.#end();
     }
     this.drawnAt = this.clock.isPlaying && this.isSeen ? now : null;
     this.timeline.draw(this.simulation.frames, this.simulated, this.#nudgesOnTimeline(), this.predict.isAsking);
+  }
+
+  /** A motion that has ended begins again; one that can't go on, or has a single picture, waits. */
+  #end() {
+    if (this.simulation.hasFailed || this.lastFrame === 0) this.#setPlaying(false);
+    else this.#goTo(0);
   }
 
   /** Returns the nudges' places on the time line, as shares of it. */
@@ -221,10 +234,12 @@ class Player {
   #draw(frame) {
     this.isDirty = false;
     this.drawing.draw(frame, this);
-    showNumbers(this.find(".rb-numbers"), this, frame);
+    showNumbers(this.find(".rb-numbers"), kNumbers, this, frame);
+    if (this.find(".rb-more").open) showNumbers(this.find(".rb-more-numbers"), kMoreNumbers, this, frame);
     this.#showTime(this.timeOf(frame), frame);
     this.#drawBall(frame);
     this.#drawWhy(frame);
+    for (const name of this.find(".rb-names").children) name.hidden = Boolean(name.dataset.of) && !this.scene.shows(name.dataset.of);
     const words = wordsOfEvents(this.timeline.events, this.announcedFrame, frame, this.labels, (at) => this.timeOf(at));
     if (words.length > 0) this.announcer.announce(words.join(". "));
     this.announcedFrame = frame;
@@ -242,7 +257,7 @@ class Player {
   }
 
   #drawBall(frame) {
-    const {moments} = this.read.motions[this.book], isShown = this.scene.shows("polhode");
+    const {moments} = this.read.motions[this.book], isShown = this.scene.shows("polhode") && this.read.motions.length <= kMostBooks;
     this.find(".rb-ball-frame").hidden = !isShown;
     if (!isShown) return;
     this.ball.draw(moments, trailOf(this.core, this.book, frame));
@@ -314,10 +329,9 @@ class Player {
     this.isTurnedForWhy = !isShown && isInRoom;
   }
 
-  /** What is read anew starts to move, unless it was paused. */
   reset() {
     if (this.tour.isOn) this.tour.open(this.tour.step);
-    else this.load(this.original, {isPlaying: this.clock.isPlaying, record: this.record});
+    else this.loaded.reset();
   }
 
   edit(book) {
@@ -343,7 +357,10 @@ class Player {
     if (this.apply(other)) this.edit(isExact ? 0 : 1);
   }
 
-  isOnBook(place) { return this.drawing.isOnBook(place); }
+  /** Whether a book can be thrown: what was recorded happened as it did. */
+  canThrow(book = this.book) { return this.read.motions[book]?.model !== "recorded"; }
+
+  isOnBook(place) { return this.drawing.isOnBook(place) && this.canThrow(this.drawing.bookAt(place).index); }
   bookRadius(place) { return this.drawing.bookRadius(place); }
 
   /** Whether the hand can hold a book: not while a question waits for its answer. */
@@ -361,9 +378,9 @@ class Player {
   }
 
   throwBook(right, up) {
-    if (this.#isFree()) this.throws.throwBook(right, up);
+    if (this.canThrow() && this.#isFree()) this.throws.throwBook(right, up);
   }
-  jiggle() { this.throws.jiggle(); }
+  jiggle() { if (this.canThrow()) this.throws.jiggle(); }
 
   /** Whether the scene's text can hold the turned view: only a camera of the world's frame has a place of its own. */
   get canShareView() { return this.scene.explicit.camera?.frame === "world"; }

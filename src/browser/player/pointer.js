@@ -15,7 +15,11 @@ class Pointer {
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("pointercancel", (event) => this.#end(event));
+    canvas.addEventListener("pointercancel", (event) => this.#cancel(event));
+    // A finger on the book holds it; one beside it scrolls up and down.
+    canvas.addEventListener("touchstart", (event) => {
+      if (this.touching.size > 1 || this.start?.isOnBook) event.preventDefault();
+    }, {passive: false});
     canvas.addEventListener("wheel", (event) => {
       // Without a key the page scrolls.
       if (!event.ctrlKey && !event.shiftKey) return;
@@ -38,6 +42,7 @@ class Pointer {
     this.player.hand.putBack();  // Two fingers draw near.
     this.start = this.touching.size === 1 ? {place, isOnBook: this.player.isOnBook(place)} : null;
     this.way = [[event.timeStamp, ...place]];
+    this.view = {...this.player.orbit};
     if (this.start?.isOnBook && !event.shiftKey && this.player.canHold()) this.start.isHeld = this.player.hand.hold(place, event.timeStamp);
     if (this.start?.isHeld) this.canvas.style.cursor = "grabbing";
   }
@@ -72,6 +77,12 @@ class Pointer {
     this.#end(event);
     if (isTap) this.player.tap(place);
     else if (start?.isOnBook && !start.isHeld) this.#add(event.timeStamp, place);
+  }
+
+  /** The browser took the way for scrolling. */
+  #cancel(event) {
+    if (this.view) this.turn(this.view.right - this.player.orbit.right, this.view.up - this.player.orbit.up);
+    this.#end(event);
   }
 
   #end(event) {

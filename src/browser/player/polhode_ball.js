@@ -4,6 +4,7 @@ const kBallView = [0.55, 0.42];  // Turned to the right and up. [rad]
 const kCurves = [0.03, 0.12, 0.3, 0.55, 0.85];  // Shares of the way from an axis to the separatrix.
 const kTrailFrames = 240;
 const kTrailStep = 2;        // [frames]
+const kLongestChord = Math.cos(0.5);  // A longer one would cut through the ball.
 const kBallColours = {ball: "#23262b", rim: "#4a4f57", curve: "#6d737c", separatrix: "#f7f5ed", trail: "#e899d9", now: "#ffffff"};
 
 /** Returns the points of a curve of energy `energy` about axis `about`, on its positive side; sizes of L and L² are 1. */
@@ -133,11 +134,15 @@ class PolhodeBall {
   }
 }
 
-/** Returns the directions of L in a book's axes up to a frame, that of the frame last. */
+/** Returns the directions of L in a book's axes up to a frame, that of the frame last; as far back as they follow one another closely. */
 function trailOf(core, book, frame) {
-  const at = (then) => momentumInBook(core.sample(kPlayed, book, then)), trail = [];
-  for (let then = Math.max(frame - kTrailFrames, 0); then < frame; then += kTrailStep) trail.push(at(then));
-  return [...trail, at(frame)];
+  const at = (then) => momentumInBook(core.sample(kPlayed, book, then)), trail = [at(frame)];
+  for (let then = frame - kTrailStep; then >= Math.max(frame - kTrailFrames, 0); then -= kTrailStep) {
+    const place = at(then);
+    if (place.reduce((sum, part, axis) => sum + part * trail[0][axis], 0) < kLongestChord) break;
+    trail.unshift(place);
+  }
+  return trail;
 }
 
 /** Returns the direction of L in the book's axes. */

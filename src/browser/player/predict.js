@@ -20,7 +20,7 @@ initial = { angular_velocity = [0, 0, 4], tilt = [0.014, "x"] }
 `,
   },
   {
-    question: say("This book turns over after two seconds. With a tilt ten times smaller, it will …"),
+    question: say("The first book turns over after two seconds. The second, with a tilt ten times smaller, will …"),
     answers: [say("never turn over"), say("turn over a second later"), say("turn over ten times later")], right: 1, until: 5,
     see: say("A second later: the tilt grows by the same factor each second, however small it was."),
     scene: `title = "${say("A tilt ten times smaller")}"
@@ -35,18 +35,17 @@ initial.tilt = [0.0014, "z"]
 `,
   },
   {
-    question: say("The computer takes steps. With steps ten times longer, the same book will …"),
+    question: say("The computer takes steps. In long ones, the second of these books will …"),
     answers: [say("move the same"), say("turn over at other times"), say("stop")], right: 1, until: 12,
     see: say("At other times: each step makes a small error, and this motion makes small errors grow."),
-    scene: `title = "${say("A step ten times longer")}"
-${kCommonStart}simulation = { model = "quaternion", integrator = "euler" }
-initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
+    scene: `title = "${say("In long steps")}"
+${kCommonStart}initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
 [[panel]]
-label = "${say("60 steps a picture")}"
-simulation.substeps = 60
+label = "${say("exact")}"
+simulation.model = "exact"
 [[panel]]
 label = "${say("6 steps a picture")}"
-simulation.substeps = 6
+simulation = { model = "quaternion", integrator = "euler", substeps = 6 }
 `,
   },
 ];
@@ -92,6 +91,7 @@ class Predict {
     this.player = player;
     this.task = -1;
     this.isOpen = false;
+    this.before = null;
   }
 
   get isAsking() { return this.isOpen && this.chosen === null; }
@@ -101,8 +101,11 @@ class Predict {
 
   /** `isStep`: in a tour, which goes on. */
   ask(task, isStep = false) {
+    const {scene, frame, clock} = this.player;
+    if (!isStep) this.before ??= {text: scene.text, frame, isPlaying: clock.isPlaying};
     this.player.load(kTasks[task].scene, {isPlaying: false, isQuestion: true, isStep});
     Object.assign(this, {task, isStep, chosen: null, isAnswered: false, isOpen: true});
+    this.player.loaded.show();
     this.#show(this.current.question, this.current.answers.map((answer, i) => [answer, () => this.choose(i)]));
   }
 
@@ -141,10 +144,14 @@ class Predict {
   leave() {
     if (this.isOpen) this.box.hide();
     this.isOpen = false;
+    this.before = null;
   }
 
+  /** What was played before the questions comes back. */
   close() {
+    const {before} = this;
     this.leave();
+    if (before) this.player.loaded.restore(before.text, before);
     this.player.stage.focus({preventScroll: true});
   }
 }

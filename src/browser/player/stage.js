@@ -1,6 +1,7 @@
 // The picture: where each book is in it, at what size it is drawn, and what is drawn over it.
 
 const kLargestScale = 2;       // Pixels of the screen a CSS pixel.
+const kNamedFor = 2;           // The axes have their names at first. [s]
 const kSlowPicture = 34;       // Slower than this, pictures are drawn smaller: 30 a second aren't. [ms]
 const kJudgedPictures = 15;    // The middle of so many times is taken for theirs.
 const kStep = 0.8, kLeastQuality = 0.5;
@@ -9,11 +10,15 @@ const kRest = 30;              // After one that wasn't, judgements without a tr
 const kSettling = 0.5;         // After a throw. [s]
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
-/** Divides a picture such that the panels' shorter sides are longest. Returns areas [pixels]. */
-function dividedAreas(count, width, height) {
-  let best = 1;
-  const shorter = (columns) => Math.min(width / columns, height / Math.ceil(count / columns));
-  for (let columns = 2; columns <= count; ++columns) if (shorter(columns) >= shorter(best) - 1e-9) best = columns;
+/** Divides a picture, into so many `columns` or such that the panels' shorter sides are longest and few are empty. Returns areas [pixels]. */
+function dividedAreas(count, width, height, columns = 0) {
+  let best = columns || 1;
+  const shorter = (each) => Math.min(width / each, height / Math.ceil(count / each));
+  const empty = (each) => each * Math.ceil(count / each) - count;
+  for (let each = 2; each <= count && !columns; ++each) {
+    const gain = shorter(each) - shorter(best);
+    if (gain > 1e-9 || (gain > -1e-9 && empty(each) <= empty(best))) best = each;
+  }
   const rows = Math.ceil(count / best), cut = (whole, part, parts) => Math.round(whole * part / parts);
   return Array.from({length: count}, (_, i) => {
     const column = i % best, row = Math.floor(i / best), inRow = row + 1 < rows ? best : count - best * (rows - 1);
@@ -57,6 +62,7 @@ class Stage {
     this.picture = root.querySelector(".rb-picture");
     this.lines = root.querySelector(".rb-lines");
     this.labels = root.querySelector(".rb-labels");
+    this.insets = root.querySelector(".rb-insets");
     this.core = core;
     this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
     this.quality = new Quality();
@@ -86,12 +92,13 @@ class Stage {
     this.#fit(this.picture, this.scale);
     this.#fit(this.lines, this.sharpness);
     const {width, height} = this.picture;
-    const motions = state.read.motions, areas = dividedAreas(motions.length, width, height);
+    const motions = state.read.motions, areas = dividedAreas(motions.length, width, height, state.scene.gridColumns);
     this.#takeBodies(motions, state.scene);
     this.books = motions.map((motion, i) => this.#book(i, frame, areas[i], state));
     if (!this.view.isLost) this.view.draw(this.books);
     this.#drawLines(frame, state);
     this.#placeLabels(motions, areas);
+    this.#placeInsets(areas[state.book]);
   }
 
   /** Makes the bodies' meshes, unless they are those of the last picture. */
@@ -137,6 +144,7 @@ class Stage {
     context.clearRect(0, 0, this.lines.width, this.lines.height);
     const sharpness = this.lines.width / this.box.width;
     const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));
+    shown.axes ||= frame < kNamedFor * state.clock.rate && this.books.length <= kMostBooks;
     this.books.forEach((book, i) => {
       const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
       context.save();
@@ -182,7 +190,7 @@ class Stage {
     if (key === this.placed) return;
     this.placed = key;
     const share = (part, whole) => `${100 * part / whole}%`;
-    this.labels.replaceChildren(...(motions.length < 2 ? [] : motions.map((motion, i) => {
+    this.labels.replaceChildren(...(motions.length < 2 || motions.length > kMostBooks ? [] : motions.map((motion, i) => {
       const label = make("span", {}, motion.label);
       label.style.left = share(areas[i].x, this.picture.width);
       label.style.top = share(areas[i].y, this.picture.height);
@@ -190,6 +198,15 @@ class Stage {
       label.style.setProperty("--rb-book", kBookColours[i]);
       return label;
     })));
+  }
+
+  /** The ball and the ladder are in the panel of the book that they are of. */
+  #placeInsets({x, y, width, height}) {
+    const {picture} = this, place = [picture.width - x - width, picture.height - y - height].map((part, i) => 100 * part / [picture.width, picture.height][i]);
+    const key = place.join();
+    if (key === this.insetsPlaced) return;
+    this.insetsPlaced = key;
+    ["right", "bottom"].forEach((side, i) => { this.insets.style[side] = `calc(${place[i]}% + 0.6rem)`; });
   }
 
   /** Returns the index of the book in whose area a point is [CSS pixels], and the point in the drawing's pixels. */

@@ -97,18 +97,20 @@ class Tour {
 
   /** What the player plays, and how it is seen. */
   #keep() {
-    const {scene, frame, clock, record, original, book, isTurnedForWhy, orbit} = this.player;
+    const {scene, frame, clock, record, loaded, book, isTurnedForWhy, orbit} = this.player;
     const hash = location.hash.startsWith(kTourHash) ? "" : location.hash;
-    return {text: scene.text, how: {frame, isPlaying: clock.isPlaying, record}, state: {original, isTurnedForWhy}, book, orbit: {...orbit}, hash};
+    return {text: scene.text, how: {frame, isPlaying: clock.isPlaying, record}, loaded: [loaded.text, loaded.record, loaded.origin], isTurnedForWhy, book, orbit: {...orbit}, hash};
   }
 
   /** Leaves, and gives the book back as it was before; the address, too. */
   leave() {
-    const {player, before: {text, how, state, book, orbit, hash}} = this;
+    const {player, before: {text, how, loaded, isTurnedForWhy, book, orbit, hash}} = this;
     this.forget(hash);
     player.book = book;
     player.load(text, how);
-    Object.assign(player, state);
+    player.isTurnedForWhy = isTurnedForWhy;
+    player.loaded.take(...loaded);
+    player.loaded.show();
     Object.assign(player.orbit, orbit);
   }
 
@@ -124,6 +126,7 @@ class Tour {
     this.line.textContent = "";
     this.player.predict.leave();
     this.box.hide();
+    this.player.loaded.show();
     if (location.hash.startsWith(kTourHash)) this.#goTo(hash);
   }
 

@@ -91,6 +91,22 @@ TEST(Bridge, ReadsRecordingsThatItWasGiven) {
   EXPECT_LT(rb_read(0, put(kRecorded)), 0) << "forgotten";
 }
 
+TEST(Bridge, FindsTheStretchOfARecordingInWhichItTurns) {
+  // At rest, then thrown, then caught with a knock and held.
+  constexpr std::string_view kTable =
+      "t,wx (rad/s),wy (rad/s),wz (rad/s)\n"
+      "10,0,0,0.1\n10.5,0,0,0.2\n11,0,9,0\n11.1,0,9,1\n11.2,0,9,0\n11.3,1,9,0\n11.4,0,40,0\n"
+      "11.5,0,3,0\n12,0,3,1\n";
+  giveFile("toss.csv", kTable);
+  EXPECT_EQ(taken(rb_recording(put("toss.csv"))), R"({"duration": 2, "turning": [11, 11.4]})");
+  giveFile("rest.csv", "t,wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,1\n0.5,0,0,1\n1,0,0,1\n");
+  EXPECT_EQ(taken(rb_recording(put("rest.csv"))), R"({"duration": 1, "turning": null})");
+  const std::int32_t refused = rb_recording(put("b.csv"));
+  EXPECT_LT(refused, 0);
+  EXPECT_EQ(taken(refused), "can't read b.csv: it isn't here");
+  ASSERT_EQ(rb_file(0, 0), 0);
+}
+
 TEST(Bridge, StopsAfterSoManySteps) {
   readAnew(0, kScene);
   EXPECT_EQ(rb_advance(0, kFrames, 1), 2) << "at least a frame";

@@ -181,7 +181,7 @@ describe("knobs", () => {
   const kCases = [
     ["Substeps", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
     ["Stiffness", "300", "simulation", "stiffness", 300], ["Damping", "0", "simulation", "damping", 0],
-    ["Mass", "2", "body", "mass", 2], ["Size along z", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
+    ["Mass", "2", "body", "mass", 2], ["Thickness", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
     ["Tilt", "0", "initial", "tilt", undefined], ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin [", "6", "initial", "angular_velocity", [6, 0, 0]],
   ];
 
@@ -246,6 +246,7 @@ describe("knobs", () => {
     const {page, close} = await openedWithSprings();
     await page.getByLabel("Normalise after each step").uncheck();
     assert.equal((await sceneOf(page)).simulation.normalize, false);
+    await page.evaluate(() => rotatebook.player.seek(180));  // At first the axes are shown in any case.
     for (const [words, overlay] of [["axes of the book", "axes"], ["springs by strain", "springs"], ["outline of the exact book", "ghost"]]) {
       const before = await page.evaluate(() => rotatebook.player.stage.toDataURL());
       await page.getByLabel(words).check();

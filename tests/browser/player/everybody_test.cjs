@@ -73,6 +73,46 @@ test("events are told politely, at most every 1.5 s", async () => {
   await close();
 });
 
+test("the time, which changes with each picture, isn't read aloud, but a start that keys choose on the ball is", async () => {
+  const {page, close} = await open();
+  assert.equal(await page.locator(".rb-time").getAttribute("aria-live"), "off");
+  await page.locator(".rb-ball").focus();
+  await page.keyboard.press("ArrowUp");
+  await page.waitForFunction(() => /^4\.0 rad\/s, \d+ degrees off the middle axis: it turns over about every [\d.]+ s\.$/.test(document.querySelector(".rb-events").textContent));
+  await close();
+});
+
+test("a motion that has ended begins again", async () => {
+  const {page, close} = await open();
+  await load(page, kTurns);
+  await page.evaluate(() => {
+    rotatebook.player.seek(80);
+    rotatebook.player.start();
+  });
+  await page.waitForFunction(() => rotatebook.player.frame >= 80);
+  await page.waitForFunction(() => rotatebook.player.frame > 3 && rotatebook.player.frame < 60, null, {polling: 20});
+  assert.equal(await page.locator(".rb-play").textContent(), "Pause");
+  await close();
+});
+
+test("a finger beside the book scrolls, one on it doesn't", async () => {
+  const {page, close} = await open({viewport: {width: 390, height: 600}, hasTouch: true, isMobile: true});
+  const session = await page.context().newCDPSession(page), stage = await page.locator(".rb-stage").boundingBox();
+  const swipe = async (x) => {
+    const touch = (type, ...touchPoints) => session.send("Input.dispatchTouchEvent", {type, touchPoints}), y = stage.y + stage.height / 2;
+    await touch("touchStart", {x, y});
+    for (let i = 1; i <= 10; ++i) await touch("touchMove", {x, y: y - 12 * i});
+    await touch("touchEnd");
+  };
+  await page.waitForFunction(() => rotatebook.player.drawing.books.length === 1);
+  await swipe(stage.x + stage.width / 2);
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  await swipe(stage.x + 12);
+  await page.waitForFunction(() => scrollY > 60);
+  assert.deepEqual(await page.evaluate(() => [rotatebook.player.orbit.right, rotatebook.player.orbit.up]), [0, 0]);
+  await close();
+});
+
 test("everything can be reached by Tab, and the focus is seen", async () => {
   const {page, close} = await open();
   await page.locator("summary").click();

@@ -23,6 +23,23 @@ test("plays a figure at a click, and finds its checksum that of the clip", async
   assert.equal(await checksumOf(page), motion);
   assert.match(await page.locator(".rb-checksum").textContent(), /the clip’s own, bit for bit/);
   assert.ok(await page.locator(".rb-stage").evaluate((stage) => stage.getBoundingClientRect().top >= 0 && stage.getBoundingClientRect().top < innerHeight));
+  assert.match(await page.locator(".rb-title").innerText(), /^A book that turns over\s+Back to the figure$/);
+  const seesFigure = () => page.waitForFunction(() => {
+    const {top} = document.querySelector("#turns").getBoundingClientRect();
+    return location.hash === "#turns" && top > -5 && top < innerHeight / 2;
+  });
+  await page.goBack();
+  await seesFigure();
+  await page.goForward();
+  await page.waitForFunction(() => location.hash === "#play" && document.querySelector("#play").getBoundingClientRect().top < innerHeight / 2);
+  await page.getByRole("link", {name: "Back to the figure"}).click();
+  await seesFigure();
+  await page.evaluate(() => rotatebook.player.throwAbout("z"));
+  assert.equal(await page.locator(".rb-title strong").textContent(), "A book that turns over, changed");
+  assert.ok(await page.locator(".rb-checksum").isHidden(), "it is another motion");
+  await page.evaluate(() => rotatebook.player.reset());
+  assert.equal(await checksumOf(page), motion);
+  assert.ok(await page.getByRole("link", {name: "Back to the figure"}).isVisible());
   assert.deepEqual(problems, []);
   const size = fs.statSync(path.join(kOutput, "clips", "index.html")).size;
   assert.ok(size < 2e6, `${size} bytes`);

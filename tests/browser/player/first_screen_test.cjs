@@ -61,6 +61,13 @@ for (const name of ["play", "index"]) {
       await page.screenshot({path: path.join(kOutput, `why-${name}-${width}.png`)});
       assert.deepEqual((await faultsOf(page)).faults, []);
       await checkTour(page, path.join(kOutput, `tour-${name}-${width}.png`));
+      const line = await page.locator(".rb-timeline").boundingBox();
+      await page.waitForFunction(() => rotatebook.player.isComplete);
+      for (const [share, depth] of [[0.9, 0.9], [0.1, 0.1]]) {
+        await page.mouse.click(line.x + share * line.width, line.y + depth * line.height);
+        const at = await page.evaluate(() => rotatebook.player.frame / rotatebook.player.lastFrame);
+        assert.ok(Math.abs(at - share) < 0.02, `a click at ${share} of the time line, ${depth} of its height, goes to ${at}`);
+      }
       assert.deepEqual(problems, []);
       await close();
     });

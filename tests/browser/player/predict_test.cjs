@@ -3,7 +3,7 @@
 
 const assert = require("node:assert/strict");
 const {test, before, after} = require("node:test");
-const {startBrowser, closeBrowser, open, frameOf} = require("./live_page.cjs");
+const {startBrowser, closeBrowser, open, frameOf, sceneOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -65,5 +65,6 @@ test("a click on a cover is an answer", async () => {
   await page.waitForFunction(() => rotatebook.player.frame > 5);
   await page.locator(".rb-close").click();
   await page.locator(".rb-question").waitFor({state: "hidden"});
+  assert.deepEqual((await sceneOf(page)).initial, {angular_velocity: [4, 0, 0], tilt: [0.014, "z"]}, "the book of before comes back");
   await close();
 });

@@ -46,6 +46,31 @@ test("refuses bytes that are no clip, or damaged anywhere, with words", async ()
   }
 });
 
+test("numbers have digits that stay, and few of them", () => {
+  const {percent, degrees, seconds} = playerScripts(["events", "numbers"], ["percent", "degrees", "seconds"]);
+  assert.deepEqual([0.9991, 1, 1.0004, 9.996, 22.6, 2251, 3.2e8].map(percent), ["99.91 %", "100.00 %", "100.04 %", "999.60 %", "23 ×", "2251 ×", "3.2e8 ×"]);
+  assert.deepEqual([0, 1e-16, 1e-5, 0.006, 0.8021, 179.9999].map(degrees), ["0.00°", "0.00°", "< 0.01°", "0.01°", "0.80°", "180.00°"]);
+  assert.deepEqual([0, 59.999, 861120].map(seconds), ["0.00 s", "60.00 s", "861120 s"]);
+});
+
+test("books share the picture evenly, or as the scene's grid has them", () => {
+  const {dividedAreas} = playerScripts(["stage"], ["dividedAreas"]);
+  const rows = (...values) => {
+    const areas = dividedAreas(...values), tops = [...new Set(areas.map(({y}) => y))];
+    return tops.map((top) => areas.filter(({y}) => y === top).length);
+  };
+  assert.deepEqual([1, 2, 3, 4, 6].map((count) => rows(count, 1280, 720)), [[1], [2], [3], [2, 2], [3, 3]]);
+  assert.deepEqual([2, 3, 4].map((count) => rows(count, 390, 390)), [[2], [2, 1], [2, 2]]);
+  assert.deepEqual(rows(96, 1280, 720, 12), Array(8).fill(12));
+});
+
+test("a refusal names the file that was dropped, or none", () => {
+  const {refusalOf} = playerScripts(["core"], ["refusalOf"]), refusal = "scene.toml:4:8: [initial]: not so";
+  assert.equal(refusalOf(refusal), "[initial]: not so");
+  assert.equal(refusalOf(refusal, "mine.toml"), "mine.toml:4:8: [initial]: not so");
+  assert.equal(refusalOf("scene.toml: longer", "mine.toml"), "mine.toml: longer");
+});
+
 test("packs a scene into a hash, and refuses a damaged or endless one", async () => {
   const text = kTurns + "# ü\n";
   const hash = await hashOf(text);

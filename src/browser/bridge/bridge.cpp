@@ -19,11 +19,10 @@
 #include "bridge/body_mesh.h"
 #include "bridge/played_scene.h"
 #include "bridge/record_search.h"
+#include "bridge/recordings.h"
 #include "bridge/scene_json.h"
 #include "bridge/why_numbers.h"
 #include "geometry/book_mesh.h"
-#include "recording/inertial_recording.h"
-#include "recording/toss.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/trajectory_csv.h"
@@ -201,16 +200,6 @@ const double* numbersFor(std::int32_t* count, const Make& make) {
     *count = static_cast<std::int32_t>(numbers.size());
     return numbers.data();
   });
-}
-
-std::vector<double> flightNumbers(const double* readings, std::int32_t count) {
-  recording::InertialRecording recording;
-  for (const double* one = readings; one != readings + 7 * std::ptrdiff_t{count}; one += 7) {
-    recording.readings.push_back({{one[0], Eigen::Vector3d(one + 1)}, Eigen::Vector3d(one + 4)});
-  }
-  const auto flight = recording::findFlight(recording);
-  if (!flight) return {};
-  return {flight->from, flight->to, flight->start.x(), flight->start.y(), flight->start.z()};
 }
 
 std::vector<double> forcesIn(std::int32_t slot, std::int32_t motion, std::int32_t frame) {

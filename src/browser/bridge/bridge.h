@@ -56,9 +56,9 @@ std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
 /// the next call: when it begins and ends, and the angular velocity that it begins with; 0 of them
 /// if nothing flew.
 const double* rb_flight(const double* readings, std::int32_t readingCount, std::int32_t* count);
-/// Writes JSON of the recording in a file that was taken, by its name in the buffer's first `length`
-/// bytes: {"duration" [s], "turning": [from, to], of its times, the longest stretch in which it turns
-/// as fast as in a throw, or null}. Positive length; negative with the message.
+/// Writes JSON of the recording in a file that was taken, by its name in the buffer's first
+/// `length` bytes: {"duration" [s], "turning": [from, to], of its times, the longest stretch in
+/// which it turns as fast as in a throw, or null}. Positive length; negative with the message.
 std::int32_t rb_recording(std::int32_t length);
 
 /// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of

@@ -1,14 +1,10 @@
 #include "bridge/scene_json.h"
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "base/document/toml_tree.h"
@@ -16,7 +12,6 @@
 #include "base/number_text.h"
 #include "base/version.h"
 #include "physics/motion_start.h"
-#include "recording/read_recording.h"
 #include "scene/key_rows.h"
 #include "scene/names.h"
 
@@ -96,29 +91,6 @@ std::string captionsJson(const scene::Scene& scene) {
   return jsonArray(captions);
 }
 
-/// Returns the longest stretch, of the file's times, in which a body turns at least half as fast as
-/// it mostly does while it turns; null of one that rests.
-std::string turningJson(std::string_view bytes, const std::string& name) {
-  const recording::InertialRecording recording = recording::readInertial(bytes, name, {});
-  std::vector<double> speeds, fast;
-  for (const recording::InertialReading& reading : recording.readings) {
-    speeds.push_back(reading.rate.angularVelocity.norm());
-    if (speeds.back() > recording::kSlowestThrow) fast.push_back(speeds.back());
-  }
-  if (fast.empty()) return "null";
-  const auto middle = fast.begin() + std::ssize(fast) / 2;
-  std::nth_element(fast.begin(), middle, fast.end());
-  std::size_t first = 0, count = 0, begin = 0;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    if (speeds[i] < *middle / 2) begin = i + 1;
-    if (i + 1 > begin + count) std::tie(first, count) = std::pair(begin, i + 1 - begin);
-  }
-  const auto time = [&](std::size_t i) {
-    return shortestText(recording.zero + recording.readings[i].rate.time);
-  };
-  return jsonArray({time(first), time(first + count - 1)});
-}
-
 }  // namespace
 
 std::string wordsJson() {
@@ -131,13 +103,6 @@ std::string wordsJson() {
       .add("keys", keysJson())
       .addInteger("longestScene", document::kLongestToml)
       .addInteger("maxNudges", scene::kMaxNudges)
-      .text();
-}
-
-std::string recordingJson(std::string_view bytes, const std::string& name) {
-  return JsonObject()
-      .addNumber("duration", recording::readRecording(bytes, name, {}).duration())
-      .add("turning", turningJson(bytes, name))
       .text();
 }
 

@@ -12,7 +12,5 @@ namespace rotatebook::bridge {
 std::string wordsJson();
 /// Returns the JSON of rb_read().
 std::string sceneJson(const scene::Scene& scene);
-/// Returns the JSON of rb_recording(). Throws InputError, beginning with `name`, for what is none.
-std::string recordingJson(std::string_view bytes, const std::string& name);
 
 }  // namespace rotatebook::bridge

@@ -29,7 +29,7 @@ for (const [name, fileOf] of [["play", () => kPlay], ["index", pageOfFigures]]) 
     await page.screenshot({path: path.join(kOutput, `full-${name}.png`)});
     await page.keyboard.press("Escape");
     await isFull(page, false);
-    assert.ok(await page.locator(".rb-numbers").isVisible());
+    assert.ok(await page.locator(".rb-numbers").first().isVisible());
     await page.locator(".rb-lines").focus();
     await page.keyboard.press("f");
     await isFull(page, true);

@@ -36,7 +36,7 @@ test("plays a figure at a click, and finds its checksum that of the clip", async
   await seesFigure();
   await page.evaluate(() => rotatebook.player.throwAbout("z"));
   assert.equal(await page.locator(".rb-title strong").textContent(), "A book that turns over, changed");
-  assert.ok(await page.locator(".rb-checksum").isHidden(), "it is another motion");
+  await page.locator(".rb-checksum").waitFor({state: "hidden"});  // It is another motion.
   await page.evaluate(() => rotatebook.player.reset());
   assert.equal(await checksumOf(page), motion);
   assert.ok(await page.getByRole("link", {name: "Back to the figure"}).isVisible());

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -85,6 +87,16 @@ int scenesAtATime(const std::vector<SceneToRender>& all) {
   return pipeline::scenesAtATime(scenes, system::coreCount(), system::memorySize());
 }
 
+/// Shares a software rasteriser's threads among the scenes that are rendered at a time: by default
+/// each would have as many as there are cores, and eight clips on two cores take 48 s, not 45.
+/// Comes before any thread.
+void shareRasteriser(int scenes) {
+  constexpr int kKeep = 0;
+  if (scenes < 2) return;
+  setenv("LP_NUM_THREADS", std::to_string(std::max(1, system::coreCount() / scenes)).c_str(),
+         kKeep);
+}
+
 int render(const RenderArguments& arguments) {
   refuseOtherOutputs(arguments);
   pipeline::RenderOptions options = arguments.options;
@@ -98,6 +110,7 @@ int render(const RenderArguments& arguments) {
   const std::vector<SceneToRender> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0 ? arguments.atATime : scenesAtATime(scenes);
+  shareRasteriser(std::min(atATime, static_cast<int>(scenes.size())));
   return reportIfUnmet(renderScenes(scenes, options, atATime, arguments.json));
 }
 

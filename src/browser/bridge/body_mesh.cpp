@@ -44,8 +44,7 @@ std::string materialJson(const body::Material& material, const Eigen::Vector3d& 
       .text();
 }
 
-}  // namespace
-
+/// Returns the vertices as 10 floats each.
 std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices) {
   std::vector<float> floats;
   const auto append = [&floats](const auto& vector) {
@@ -59,6 +58,23 @@ std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices) {
     floats.push_back(vertex.surfaceId);
   }
   return floats;
+}
+
+BookMesh madeBook() {
+  const geometry::Mesh mesh = geometry::makeBookMesh();
+  BookMesh made{floatsOf(mesh.vertices), {}};
+  for (std::size_t part = 0; part < made.indices.size(); ++part) {
+    for (const std::uint32_t index : mesh.parts[part].triangles)
+      made.indices[part].push_back(static_cast<std::uint16_t>(index));
+  }
+  return made;
+}
+
+}  // namespace
+
+const BookMesh& bookMesh() {
+  static const BookMesh made = madeBook();
+  return made;
 }
 
 BodyMesh bodyMeshOf(const scene::Motion& motion,

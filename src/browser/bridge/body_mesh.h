@@ -1,18 +1,25 @@
-// A motion's body, as a page draws it. Inside the room only.
+// Meshes, as a page draws them. Inside the room only.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
 
-#include "geometry/mesh.h"
+#include "geometry/book_mesh.h"
 #include "scene/scene.h"
 
 namespace rotatebook::bridge {
 
-/// Returns the vertices as 10 floats each, as bridge.h says.
-std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices);
+/// The book's mesh: vertices as 10 floats each, and the indices of each part.
+struct BookMesh {
+  std::vector<float> vertices;
+  std::array<std::vector<std::uint16_t>, geometry::kBookPartCount> indices;
+};
+
+/// Returns the mesh of the unit book, made once.
+const BookMesh& bookMesh();
 
 /// A body's triangles, by material.
 struct BodyMesh {

@@ -125,21 +125,6 @@ const timeline::ClipMotion& wholeIn(std::int32_t slot) {
   return *motion;
 }
 
-struct MeshNumbers {
-  std::vector<float> vertices;
-  std::array<std::vector<std::uint16_t>, geometry::kBookPartCount> indices;
-};
-
-MeshNumbers numbersOf(const geometry::Mesh& mesh) {
-  MeshNumbers numbers{floatsOf(mesh.vertices), {}};
-  for (std::size_t part = 0; part < numbers.indices.size(); ++part) {
-    for (const std::uint32_t index : mesh.parts[part].triangles) {
-      numbers.indices[part].push_back(static_cast<std::uint16_t>(index));
-    }
-  }
-  return numbers;
-}
-
 BodyMesh lastBody;  // of rb_body()
 
 /// Returns the JSON of a motion's body, which becomes lastBody.
@@ -152,11 +137,6 @@ std::string makeBody(std::int32_t slot, std::int32_t motion) {
     return found == files.end() ? nullptr : &found->second;
   });
   return lastBody.json;
-}
-
-const MeshNumbers& bookMesh() {
-  static const MeshNumbers numbers = numbersOf(geometry::makeBookMesh());
-  return numbers;
 }
 
 std::array<double, kSampleNumbers> numbersOf(const physics::Sample& sample, bool isHeld) {

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "base/json.h"
+#include "physics/free_motion.h"
 #include "physics/motion_start.h"
 #include "rigid/energy_ladder.h"
 #include "rigid/poinsot.h"
@@ -31,24 +33,6 @@ Matrix3d mapOf(const physics::Cuboid& body, const physics::Cage& cage) {
   const Vector3d squares = rest.rowwise().squaredNorm();
   return (cage.colwise() - cage.rowwise().mean()) * rest.transpose() *
          squares.cwiseInverse().asDiagonal();
-}
-
-/// Returns the angular momentum along the principal axes.
-Vector3d alongPrincipal(const rigid::PrincipalAxes& inertia, const physics::Sample& sample) {
-  return inertia.bodyFromPrincipal.transpose() *
-         (sample.attitude.conjugate() * sample.angularMomentum);
-}
-
-/// Returns the first sample after the last nudge before `index`, from which the motion is free.
-std::size_t freeSince(const physics::MotionSettings& motion,
-                      const std::vector<physics::Sample>& samples, std::size_t index) {
-  std::size_t first = 0;
-  for (const physics::Nudge& nudge : motion.nudges) {
-    const auto after = std::ranges::lower_bound(samples, nudge.at, {}, &physics::Sample::time);
-    const auto start = static_cast<std::size_t>(after - samples.begin());
-    if (start <= index) first = std::max(first, start);
-  }
-  return first;
 }
 
 }  // namespace
@@ -82,7 +66,7 @@ std::vector<double> ladderNumbers(const PlayedScene& played, std::size_t motion,
   const auto inertia = physics::modelInertia(played.scene().motions.at(motion));
   const rigid::EnergyLadder ladder(inertia.moments);
   const physics::Sample& sample = played.samples(motion)[played.indexOf(motion, frame)];
-  const Vector3d momentum = alongPrincipal(inertia, sample);
+  const Vector3d momentum = physics::momentumAlong(inertia, sample);
   const double energy = sample.total() / momentum.squaredNorm();
   const rigid::LadderPlace now = ladder.placeOf(momentum, energy);
   std::vector<double> numbers{now.height, ladder.reachAt(energy) / std::numbers::pi,
@@ -106,7 +90,7 @@ std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion
   const double scale = panel.body.largestDimension() / 2 / semiAxes.maxCoeff();
   semiAxes *= scale;
   const auto contactOf = [&](const physics::Sample& sample) -> Vector3d {
-    const auto poinsot = rigid::poinsotOf(inertia.moments, alongPrincipal(inertia, sample));
+    const auto poinsot = rigid::poinsotOf(inertia.moments, physics::momentumAlong(inertia, sample));
     return scale * (inertia.bodyFromPrincipal * poinsot.contact);
   };
 
@@ -117,7 +101,7 @@ std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion
   const Matrix3d frameFromBody = frameFromWorld * sample.attitude.toRotationMatrix();
   const Vector3d centre = frameFromWorld * sample.cage.rowwise().mean();
   const double distance =
-      scale * rigid::poinsotOf(inertia.moments, alongPrincipal(inertia, sample)).distance;
+      scale * rigid::poinsotOf(inertia.moments, physics::momentumAlong(inertia, sample)).distance;
   if (!std::isfinite(distance)) return {};
   const auto radii = rigid::herpolhodeRadii(semiAxes, distance);
   const Vector3d normal = sample.angularMomentum.normalized(), across = normal.unitOrthogonal();
@@ -128,7 +112,8 @@ std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion
   append(numbers, Vector3d(frameFromWorld * across));
   append(numbers, Vector3d(frameFromWorld * normal.cross(across)));
   append(numbers, Vector3d(frameFromWorld * normal));
-  const std::size_t since = freeSince(panel, samples, index);
+  const std::vector<std::size_t> starts = physics::freeStarts(samples, panel.nudges);
+  const std::size_t since = *std::prev(std::upper_bound(starts.begin(), starts.end(), index));
   const auto length = static_cast<std::size_t>(std::clamp<std::int64_t>(trail, 0, kMaxTrail));
   for (std::size_t i = std::max(since, index - std::min(index, length)); i <= index; ++i) {
     const Vector3d contact = contactOf(samples[i]);

@@ -310,7 +310,7 @@ class Player {
   open(file) { return this.files.open(file); }
 
   throwAbout(axis) {
-    if (this.#isFree()) this.throws.throwAbout(axis);
+    if (this.canThrow() && this.#isFree()) this.throws.throwAbout(axis);
   }
   throwFrom(book, attitude, velocity) { this.throws.throwFrom(book, attitude, velocity); }
 

@@ -12,7 +12,6 @@ class Throws {
 
   /** Throws the book about an axis, another body about the one of that moment. */
   throwAbout(axis) {
-    if (!this.player.canThrow()) return;
     const {scene, book} = this.player;
     const trees = scene.isOfBook(book) ? [scene.withStartAbout(book, axis)] : kAxes.map((toward) => scene.withStartAboutMoment(book, kThrows[axis], toward));
     trees.some((tree) => this.#begin(tree, book));  // No axis can be tilted toward itself.

@@ -10,9 +10,8 @@ namespace rotatebook::rigid {
 
 /// A place on the ladder.
 struct LadderPlace {
-  double
-      height;    ///< 0 at the largest moment's axis, whose spin has the least energy; 1 at the top.
-  double angle;  ///< From the axis that L circles toward the middle one. [rad]
+  double height;  ///< 0 for the least energy, of a spin about the largest moment's axis, to 1.
+  double angle;   ///< From the axis that L circles toward the middle one. [rad]
 };
 
 /// The ladder, whose width at each energy says how far L goes to both sides of the axis that it

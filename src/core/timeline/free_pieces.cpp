@@ -1,21 +1,21 @@
 #include "timeline/free_pieces.h"
 
-#include <algorithm>
 #include <cstddef>
+
+#include "physics/free_motion.h"
 
 namespace rotatebook::timeline {
 
 std::vector<std::span<const physics::Sample>> freePieces(const physics::Trajectory& trajectory,
                                                          std::span<const physics::Nudge> nudges) {
   std::vector<std::span<const physics::Sample>> pieces;
-  std::span<const physics::Sample> rest = trajectory.samples;
-  for (const physics::Nudge& nudge : nudges) {
-    const auto end = std::ranges::lower_bound(rest, nudge.at, {}, &physics::Sample::time);
-    const auto count = static_cast<std::size_t>(end - rest.begin());
-    if (count > 0) pieces.push_back(rest.first(count));
-    rest = rest.subspan(count);
+  const std::span<const physics::Sample> all = trajectory.samples;
+  std::vector<std::size_t> bounds = physics::freeStarts(all, nudges);
+  bounds.push_back(all.size());
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    if (bounds[i] > bounds[i - 1])
+      pieces.push_back(all.subspan(bounds[i - 1], bounds[i] - bounds[i - 1]));
   }
-  if (!rest.empty()) pieces.push_back(rest);
   return pieces;
 }
 

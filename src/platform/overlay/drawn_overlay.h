@@ -68,10 +68,6 @@ class DrawnOverlay {
   virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };
 
-/// Returns the numbers of the samples from which a body moves freely: the first, and those after
-/// nudges.
-std::vector<std::size_t> freeStarts(const OverlayContext& context);
-
 /// Makes the overlay of that name; each is defined in its overlay's file.
 #define ROTATEBOOK_OVERLAY(enumerator, ...) \
   std::unique_ptr<DrawnOverlay> make##enumerator(const OverlayContext& context, const Box& box);

@@ -13,6 +13,7 @@
 #include "base/number_text.h"
 #include "overlay/drawn_overlay.h"
 #include "overlay/label_placement.h"
+#include "physics/free_motion.h"
 #include "physics/motion_start.h"
 #include "rigid/inertia.h"
 
@@ -163,8 +164,7 @@ void DrawnLadder::draw(const View& view) {
   view.canvas.lay(background_, view.picture);
   const Scale& scale = context_.scale;
   const physics::Sample& sample = context_.trajectory.samples[static_cast<std::size_t>(view.frame)];
-  const Eigen::Vector3d momentum = inertia_.bodyFromPrincipal.transpose() *
-                                   (sample.attitude.conjugate() * sample.angularMomentum);
+  const Eigen::Vector3d momentum = physics::momentumAlong(inertia_, sample);
   const double energy = sample.total() / momentum.squaredNorm();
   if (!std::isfinite(energy)) return;
   if (!context_.scene.textless) writeMargin(view.canvas, energy);

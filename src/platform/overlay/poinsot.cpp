@@ -16,6 +16,7 @@
 #include "overlay/body_box.h"
 #include "overlay/drawn_overlay.h"
 #include "overlay/polhode_inset.h"
+#include "physics/free_motion.h"
 #include "physics/motion_start.h"
 
 namespace rotatebook::overlay {
@@ -158,7 +159,8 @@ class PoinsotRolling final : public DrawnOverlay {
 };
 
 PoinsotRolling::PoinsotRolling(const OverlayContext& context)
-    : context_(context), starts_(freeStarts(context)) {
+    : context_(context),
+      starts_(physics::freeStarts(context.trajectory.samples, context.scene.motions[0].nudges)) {
   const auto inertia = physics::modelInertia(context.scene.motions[0]);
   bodyFromPrincipal_ = inertia.bodyFromPrincipal;
   polhodes_ = unitPolhodes(inertia.moments);
@@ -166,9 +168,8 @@ PoinsotRolling::PoinsotRolling(const OverlayContext& context)
   const double scale = context.scene.motions[0].body.largestDimension() / 2 / semiAxes_.maxCoeff();
   semiAxes_ *= scale;
   for (const physics::Sample& sample : context.trajectory.samples) {
-    const Eigen::Vector3d inBody = sample.attitude.conjugate() * sample.angularMomentum;
     const rigid::Poinsot poinsot =
-        rigid::poinsotOf(inertia.moments, bodyFromPrincipal_.transpose() * inBody);
+        rigid::poinsotOf(inertia.moments, physics::momentumAlong(inertia, sample));
     moments_.push_back({scale * (bodyFromPrincipal_ * poinsot.contact), scale * poinsot.distance});
   }
 }

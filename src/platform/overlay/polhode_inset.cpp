@@ -14,6 +14,7 @@
 
 #include "overlay/drawn_overlay.h"
 #include "overlay/label_placement.h"
+#include "physics/free_motion.h"
 #include "physics/motion_start.h"
 
 namespace rotatebook::overlay {
@@ -108,14 +109,12 @@ namespace {
 /// Returns the angular momenta of all samples along the principal axes, in units of that of sample
 /// `start` and no longer than kFarthest.
 std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
-                                       const Eigen::Matrix3d& bodyFromPrincipal,
-                                       std::size_t start) {
+                                       const rigid::PrincipalAxes& inertia, std::size_t start) {
   const auto& samples = context.trajectory.samples;
   const double unit = samples[start].angularMomentum.norm();
   std::vector<Eigen::Vector3d> momenta;
   for (const physics::Sample& sample : samples) {
-    Eigen::Vector3d momentum =
-        bodyFromPrincipal.transpose() * (sample.attitude.conjugate() * sample.angularMomentum);
+    Eigen::Vector3d momentum = physics::momentumAlong(inertia, sample);
     if (unit > 0) momentum /= unit;
     const double size = momentum.stableNorm();
     momenta.push_back(size > kFarthest ? momentum * (kFarthest / size) : momentum);
@@ -127,13 +126,13 @@ std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
 /// body that moves freely from sample `start` on.
 class FreePolhode {
  public:
-  FreePolhode(const OverlayContext& context, const Box& box, const Eigen::Vector3d& moments,
-              const Eigen::Matrix3d& bodyFromPrincipal, std::size_t start)
+  FreePolhode(const OverlayContext& context, const Box& box, const rigid::PrincipalAxes& inertia,
+              std::size_t start)
       : context_(context),
         start_(start),
-        bodyFromPrincipal_(bodyFromPrincipal),
-        momenta_(momentaOf(context, bodyFromPrincipal, start)),
-        surfaces_(moments, momenta_[start]),
+        bodyFromPrincipal_(inertia.bodyFromPrincipal),
+        momenta_(momentaOf(context, inertia, start)),
+        surfaces_(inertia.moments, momenta_[start]),
         ellipsoid_(quadricOf(surfaces_.halfAxes())) {
     const double titleRow = 1.2 * context.scale.smallLetters;
     centre_ = {box.x + box.width / 2, box.y + (titleRow + box.height) / 2};
@@ -310,8 +309,9 @@ class PolhodeInset final : public DrawnOverlay {
  public:
   PolhodeInset(const OverlayContext& context, const Box& box) {
     const auto inertia = physics::modelInertia(context.scene.motions[0]);
-    for (const std::size_t start : freeStarts(context))
-      insets_.emplace_back(context, box, inertia.moments, inertia.bodyFromPrincipal, start);
+    for (const std::size_t start :
+         physics::freeStarts(context.trajectory.samples, context.scene.motions[0].nudges))
+      insets_.emplace_back(context, box, inertia, start);
   }
 
   void draw(const View& view) override {

@@ -141,3 +141,16 @@ test("everything can be reached by Tab, and the focus is seen", async () => {
   assert.equal(seen.size, wanted);
   await close();
 });
+
+test("on paper there are the picture and its numbers, dark on white, and no controls", async () => {
+  const {page, close} = await open();
+  await page.waitForFunction(() => rotatebook.player.drawing.books.length === 1);
+  const pdf = await page.pdf({path: path.join(kOutput, "printed.pdf"), format: "A4"});
+  assert.equal((pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length, 1);
+  await page.emulateMedia({media: "print"});
+  assert.equal(await page.locator(":is(button, input, select, summary):visible").count(), 0);
+  assert.ok(await page.locator(".rb-picture").isVisible() && await page.locator(".rb-numbers").first().isVisible());
+  const colours = await page.locator(":is(h1, .lead, .rb-numbers :is(dt, dd), .rb-names li):visible").evaluateAll((all) => all.map((one) => getComputedStyle(one).color));
+  for (const colour of colours) assert.ok(Math.max(...colour.match(/\d+/g).slice(0, 3)) < 100, colour);  // measured 79
+  await close();
+});

@@ -239,15 +239,23 @@ describe("the whole page", () => {
     }
   });
 
-  test("is printed with a page for each figure", async () => {
+  test("is printed with a page for each figure, its poster and no controls", async () => {
     const {page, close} = await open();
     await page.emulateMedia({media: "print"});
     await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
-    const pdf = await page.pdf({path: path.join(kOutput, "printed.pdf"), format: "A4"});
-    const pages = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
-    assert.equal(pages, kInContents.length);
-    await page.evaluate(() => dispatchEvent(new Event("afterprint")));
-    assert.equal(await page.locator(".folded[open]").count(), 0);
+    assert.equal(await page.locator(":is(button, input, select, summary, .controls, .film):visible").count(), 0);
+    for (const [poster, whole] of await page.locator("video").evaluateAll((all) => all.map((video) => [video.getAttribute("poster"), video.dataset.poster]))) assert.equal(poster, whole);
+    const curves = await page.locator(".plots").evaluateAll((all) => all.map((plots) => {
+      const {right} = plots.getBoundingClientRect();
+      return [...plots.querySelectorAll("canvas")].every((canvas) => canvas.checkVisibility() && canvas.getBoundingClientRect().right <= right + 1);
+    }));
+    assert.deepEqual(curves, curves.map(() => true), "a plot is wider than the paper");
+    for (const [format, margin] of [["A4", "0"], ["A4", "10mm"], ["Letter", "10mm"]]) {
+      const pdf = await page.pdf({path: path.join(kOutput, `printed-${format}-${margin}.pdf`), format, margin: {top: margin, bottom: margin, left: margin, right: margin}});
+      const pages = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
+      assert.equal(pages, kInContents.length, `${format}, ${margin}`);
+    }
+    assert.equal(await page.locator(".folded[open]").count(), 0, "pdf() prints, and ends it");
     await close();
   });
 });

@@ -1,6 +1,5 @@
 // Begins when the page is there; says what the browser lacks.
 
-const kInterrupted = say("The graphics were interrupted; the picture comes back as soon as the browser lets it.");
 const kHashPause = 400;  // [ms]
 
 const loadPicture = async (address) => {
@@ -58,7 +57,8 @@ function keepContext(player) {
   const {picture, view} = player.drawing;
   picture.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    player.announcer.show(kInterrupted);
+    player.announcer.show(view.lack);
+    player.redraw();
   });
   picture.addEventListener("webglcontextrestored", () => {
     view.make();
@@ -112,7 +112,9 @@ async function beginLiveBook(root, data) {
     const lack = root.querySelector(".rb-lack");
     root.querySelector(".rb-player").hidden = true;
     lack.hidden = false;
-    lack.textContent = say("The live book can’t be shown. {problem} Everything else on this page works.", {problem: error.message});
+    lack.append(make("img", {src: kData.pictures.front, alt: ""}), say("The live book can’t be shown. {problem}", {problem: error.message}));
+    // In the page of figures, which come later.
+    if (root.closest(".live")) lack.append(" ", make("a", {href: "#page/figures"}, say("Everything else on this page works.")));
     root.dataset.ready = "false";
   }
   document.dispatchEvent(new Event("rotatebook-live"));  // For the page around it.

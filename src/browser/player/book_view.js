@@ -60,16 +60,19 @@ class Shaders {
 }
 
 class BookView {
-  /** `pictures`: {front, spine, back, paper}, loaded. Throws without WebGL 2. */
+  /** `pictures`: {front, spine, back, paper}, loaded. Without WebGL 2 nothing is drawn: see `lack`. */
   constructor(canvas, mesh, pictures, shaders) {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", {alpha: false, antialias: true, powerPreference: "high-performance"});
-    if (!this.gl) throw new Error(say("This browser has no WebGL 2, which the live book is drawn with."));
     this.make = () => this.#make(mesh, pictures, shaders);
-    this.make();
+    if (this.gl) this.make();
   }
 
-  get isLost() { return this.gl.isContextLost(); }
+  /** Returns why nothing is drawn, in words; empty if it is. */
+  get lack() {
+    if (!this.gl) return say("This browser has no WebGL 2: the book is drawn plainly, and its clip can’t be saved. Perhaps “graphics acceleration” is switched off in its settings.");
+    return this.gl.isContextLost() ? say("The graphics were interrupted; the picture comes back as soon as the browser lets it.") : "";
+  }
 
   #make(mesh, pictures, shaders) {
     const gl = this.gl;
@@ -92,6 +95,7 @@ class BookView {
   /** The meshes of the bodies that draw() names by number; null for the book. */
   setBodies(meshes) {
     const gl = this.gl;
+    if (!gl) return;
     for (const body of this.bodies ?? []) {
       if (!body) continue;
       gl.deleteVertexArray(body.array);
@@ -158,7 +162,7 @@ class BookView {
 
   /** Plain cloth of a colour [0 to 1] in place of the built-in covers; null for these. */
   setCloth(colour) {
-    this.cloth = colour && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
+    this.cloth = colour && this.gl && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
   }
 
   /** Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, sky, backdrop}, in the order of setBodies(). */

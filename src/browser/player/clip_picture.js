@@ -57,7 +57,7 @@ class ClipPicture {
   draw(frame) {
     const {context, state, stage} = this, {scene, read} = state;
     stage.draw(frame, state);
-    if (stage.view.isLost) throw new ClipError(say("The graphics were interrupted; save the clip again."));
+    if (stage.view.lack) throw new ClipError(stage.view.gl ? say("The graphics were interrupted; save the clip again.") : stage.view.lack);
     context.drawImage(stage.picture, 0, 0);
     context.drawImage(stage.lines, 0, 0);
     const {title = "", caption = ""} = scene.explicit;
@@ -162,5 +162,5 @@ class ClipPicture {
     else this.#write(text, margin, margin, size);
   }
 
-  close() { this.stage.view.gl.getExtension("WEBGL_lose_context")?.loseContext(); }
+  close() { this.stage.view.gl?.getExtension("WEBGL_lose_context")?.loseContext(); }
 }

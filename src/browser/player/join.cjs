@@ -10,7 +10,7 @@ const kHere = __dirname, kRoot = path.join(kHere, "../../..");
 const kPictures = {front: 660, back: 660, spine: 176, paper: 256};  // Widths. [pixels]
 const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
-const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "polhode_ball", "forces", "poinsot", "ladder", "timeline",
+const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "book_view", "arrows", "plain_book", "polhode_ball", "forces", "poinsot", "ladder", "timeline",
   "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "tour", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
   "throws", "outcome", "files", "loaded", "toss", "big_screen", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",

@@ -133,7 +133,7 @@ class Player {
       return false;
     }
     if (!isQuestion) this.predict.leave();
-    this.announcer.show(this.drawing.view.isLost ? kInterrupted : "");
+    this.announcer.show(this.drawing.view.lack);
     this.hand.putBack();
     if (isMotion) this.outcome.forget();
     this.record = record;

@@ -64,6 +64,7 @@ class Stage {
     this.labels = root.querySelector(".rb-labels");
     this.insets = root.querySelector(".rb-insets");
     this.core = core;
+    this.pictures = pictures;
     this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
     this.quality = new Quality();
     this.books = [];
@@ -95,8 +96,9 @@ class Stage {
     const motions = state.read.motions, areas = dividedAreas(motions.length, width, height, state.scene.gridColumns);
     this.#takeBodies(motions, state.scene);
     this.books = motions.map((motion, i) => this.#book(i, frame, areas[i], state));
-    if (!this.view.isLost) this.view.draw(this.books);
-    this.#drawLines(frame, state);
+    const isPlain = this.view.lack !== "";
+    if (!isPlain) this.view.draw(this.books);
+    this.#drawLines(frame, state, isPlain);
     this.#placeLabels(motions, areas);
     this.#placeInsets(areas[state.book]);
   }
@@ -106,7 +108,8 @@ class Stage {
     const key = motions.map((_, i) => JSON.stringify(scene.explicit.panel?.[i]?.body ?? scene.explicit.body)).join();
     if (key === this.bodiesKey) return;
     this.bodiesKey = key;
-    this.view.setBodies(motions.map((_, i) => this.core.body(kPlayed, i)));
+    this.bodies = motions.map((_, i) => this.core.body(kPlayed, i));
+    this.view.setBodies(this.bodies);
   }
 
   /** Lets the next picture make the bodies' meshes again, as of a file that has changed. */
@@ -139,7 +142,7 @@ class Stage {
     return {plain: kPlainColours[name] ?? colourOf(name)};
   }
 
-  #drawLines(frame, state) {
+  #drawLines(frame, state, isPlain) {
     const context = this.lines.getContext("2d", kOnProcessor), ratio = this.lines.width / this.picture.width;
     context.clearRect(0, 0, this.lines.width, this.lines.height);
     const sharpness = this.lines.width / this.box.width;
@@ -152,6 +155,7 @@ class Stage {
       context.rect(area.x, area.y, area.width, area.height);
       context.clip();
       const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit);
+      if (isPlain) drawPlainBook(overlay, book.sample, {pictures: this.pictures, cloth: clothOf(state.scene), isBook: !this.bodies[i]});
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
       const isHeld = state.hand.held?.book === i;

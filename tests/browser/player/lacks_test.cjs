@@ -2,16 +2,16 @@
 "use strict";
 
 const assert = require("node:assert/strict");
+const path = require("node:path");
+const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {startBrowser, closeBrowser, open} = require("./live_page.cjs");
+const {kOutput, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, messageOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
 
 const kLacks = [
   ["WebAssembly", "delete window.WebAssembly;", /no WebAssembly/],
-  ["WebGL 2", "const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : get.call(this, kind, ...more); };",
-    /no WebGL 2/],
   ["DecompressionStream", "delete window.DecompressionStream;", /no DecompressionStream/],
   ["a module that starts", "WebAssembly.instantiate = () => Promise.reject(new Error('out of memory'));", /can’t be shown/],
 ];
@@ -22,33 +22,84 @@ for (const [name, script, pattern] of kLacks) {
     assert.ok(await page.locator(".rb-lack").first().isVisible());
     assert.ok(!(await page.locator(".rb-player").isVisible()));
     assert.ok(await page.locator("h1").isVisible());
+    assert.deepEqual(await page.locator(".rb-lack").first().evaluate((lack) => [lack.querySelector("img").complete, lack.querySelectorAll("a").length]), [true, 0]);
     await close();
   });
 }
 
-test("a lost context is rebuilt, with the same picture", async () => {
+test("in the page, there is the way to the figures", async () => {
+  const {page, close} = await open({}, {script: kLacks[0][1], isReady: "false", file: pathToFileURL(pageOfFigures()).href});
+  await page.getByRole("link", {name: "Everything else on this page works."}).click();
+  await page.waitForFunction(() => location.hash === "#page/figures" && document.querySelector("#turns").getBoundingClientRect().top < innerHeight);
+  assert.ok(await page.locator("#turns .toy").isHidden());
+  await close();
+});
+
+const kNoWebGl2 = "const get = HTMLCanvasElement.prototype.getContext; HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : get.call(this, kind, ...more); };";
+
+/** The picture at a frame, small, with what is drawn over it, and what is said to lack. */
+const pictureAt = (page, frame) => page.evaluate((wanted) => {
+  const {player} = rotatebook, {drawing} = player;
+  drawing.draw(wanted, player);
+  const small = Object.assign(document.createElement("canvas"), {width: 64, height: 36}), context = small.getContext("2d");
+  for (const canvas of [drawing.picture, drawing.lines]) context.drawImage(canvas, 0, 0, 64, 36);
+  return {lack: drawing.view.lack, pixels: [...context.getImageData(0, 0, 64, 36).data]};
+}, frame);
+
+/** The mean difference of two pictures where either isn't wall, of 255. */
+function differenceOf(a, b) {
+  const differences = a.flatMap((part, i) => (i % 4 < 3 && Math.max(part, b[i]) > 80 ? [Math.abs(part - b[i])] : []));
+  return differences.reduce((sum, part) => sum + part, 0) / differences.length;
+}
+
+test("without WebGL 2 the book is drawn plainly, and all but saving works", async () => {
+  const {page, problems, close} = await open({reducedMotion: "no-preference"}, {script: kNoWebGl2});
+  assert.match(await messageOf(page), /no WebGL 2/);
+  await page.waitForFunction(() => rotatebook.player.frame > 20);
+  await page.evaluate(() => rotatebook.player.pause());
+  await page.screenshot({path: path.join(kOutput, "no-webgl2.png")});
+  const plain = await pictureAt(page, 100), later = await pictureAt(page, 160);
+  assert.ok(differenceOf(plain.pixels, later.pixels) > 20, "it moves");
+  await page.locator(".rb-throws [data-axis=z]").click();
+  await page.evaluate(() => rotatebook.player.pause());
+  const z = await pictureAt(page, 100), checksum = await checksumOf(page);
+  await page.locator(".rb-more summary").click();
+  await page.locator("[data-do=clip]").click();
+  await page.waitForFunction(() => /no WebGL 2/.test(document.querySelector(".rb-message").textContent) && document.querySelector(".rb-saving").hidden);
+  assert.deepEqual(await violations(page), []);
+  assert.deepEqual(problems, []);
+  await close();
+  const whole = await open();
+  await whole.page.evaluate(() => rotatebook.player.throwAbout("z"));
+  await whole.page.evaluate(() => rotatebook.player.pause());
+  assert.equal(await checksumOf(whole.page), checksum);
+  const [difference, other] = await Promise.all([100, 130].map(async (frame) => differenceOf(z.pixels, (await pictureAt(whole.page, frame)).pixels)));
+  console.log(`${difference} from the shaded book, ${other} from it half a second later`);
+  assert.ok(difference < 50 && other > 1.5 * difference);  // measured 43, 73
+  await whole.close();
+});
+
+test("while the context is lost the book is drawn plainly; then there is the same picture", async () => {
   const {page, close} = await open();
-  const picture = () => page.evaluate(() => {
-    const player = rotatebook.player, canvas = player.drawing.picture;
-    player.drawing.draw(100, player);
-    const small = Object.assign(document.createElement("canvas"), {width: 64, height: 36}), context = small.getContext("2d");
-    context.drawImage(canvas, 0, 0, 64, 36);
-    return {isLost: player.drawing.view.isLost, pixels: [...context.getImageData(0, 0, 64, 36).data]};
-  });
   await page.waitForFunction(() => rotatebook.player.simulated > 100);
-  const before = await picture();
-  assert.equal(before.isLost, false);
+  const before = await pictureAt(page, 100);
+  assert.equal(before.lack, "");
   assert.ok(Math.max(...before.pixels.filter((part, i) => i % 4 === 0)) > 100, "nothing is drawn");
   await page.evaluate(() => {
     window.losing = rotatebook.player.drawing.view.gl.getExtension("WEBGL_lose_context");
     losing.loseContext();
   });
   await page.waitForFunction(() => /interrupted/.test(document.querySelector(".rb-message").textContent));
-  assert.equal((await picture()).isLost, true);
+  await page.screenshot({path: path.join(kOutput, "lost.png")});
+  const lost = await pictureAt(page, 100);
+  assert.match(lost.lack, /interrupted/);
+  const difference = differenceOf(lost.pixels, before.pixels);
+  console.log(`${difference} from the shaded book`);
+  assert.ok(difference < 40);  // measured 30
   await page.evaluate(() => losing.restoreContext());
   await page.waitForFunction(() => document.querySelector(".rb-message").hidden);
-  const again = await picture();
-  assert.equal(again.isLost, false);
+  const again = await pictureAt(page, 100);
+  assert.equal(again.lack, "");
   assert.deepEqual(again.pixels, before.pixels);
   await close();
 });

@@ -12,6 +12,8 @@ const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
 const kLightShare = 0.45;  // Of the dark wall, which is taken from white in the light look.
 const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
+const kSamples = 4;     // Of a pixel near a book.
+const kBesideBook = 2;  // In its box. [pixels]
 
 /** Returns 1 if the cage is the right way round at every corner, -1 if inside out, 0 if neither. */
 function windingOf(cage) {
@@ -27,6 +29,17 @@ function windingOf(cage) {
   const largest = Math.max(...determinants.map(Math.abs), Number.MIN_VALUE);
   if (Math.min(...determinants) > kClearlyOriented * largest) return 1;
   return Math.max(...determinants) < -kClearlyOriented * largest ? -1 : 0;
+}
+
+/** Returns the part of its area in which a book is drawn; all of it if the camera is in the book. */
+function boxOf({area, cage, matrix}) {
+  const corners = Array.from({length: 8}, (_, i) => projected(matrix, area, cage.subarray(3 * i, 3 * i + 3)));
+  if (corners.includes(null)) return area;
+  const [[x, right], [y, bottom]] = ["width", "height"].map((size, axis) => {
+    const places = corners.map((corner) => corner[axis]), first = area[axis ? "y" : "x"], within = (place) => Math.min(Math.max(place, first), first + area[size]);
+    return [within(Math.floor(Math.min(...places)) - kBesideBook), within(Math.ceil(Math.max(...places)) + kBesideBook)];
+  });
+  return {x, y, width: right - x, height: bottom - y};
 }
 
 /** A program of shaders, and the places of its uniforms. */
@@ -63,7 +76,7 @@ class BookView {
   /** `pictures`: {front, spine, back, paper}, loaded. Without WebGL 2 nothing is drawn: see `lack`. */
   constructor(canvas, mesh, pictures, shaders) {
     this.canvas = canvas;
-    this.gl = canvas.getContext("webgl2", {alpha: false, antialias: true, powerPreference: "high-performance"});
+    this.gl = canvas.getContext("webgl2", {alpha: false, antialias: false, preserveDrawingBuffer: true, powerPreference: "high-performance"});
     this.make = () => this.#make(mesh, pictures, shaders);
     if (this.gl) this.make();
   }
@@ -88,6 +101,7 @@ class BookView {
     this.white = null;
     for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");
     this.noVertices = gl.createVertexArray();
+    this.#makeLayers();
     this.cloth = null;
     this.setBodies(this.bodies?.map((body) => body?.mesh ?? null) ?? []);
   }
@@ -165,24 +179,82 @@ class BookView {
     this.cloth = colour && this.gl && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
   }
 
-  /** Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, sky, backdrop}, in the order of setBodies(). */
+  /** Makes where books are drawn, with several samples of a pixel, and where these are joined: a canvas takes them in its own format alone. */
+  #makeLayers() {
+    const gl = this.gl, buffer = (format, place, samples) => ({made: gl.createRenderbuffer(), format, place, samples});
+    const layer = (...buffers) => ({frame: gl.createFramebuffer(), buffers});
+    this.sampled = layer(buffer(gl.RGBA8, gl.COLOR_ATTACHMENT0, kSamples), buffer(gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT, kSamples));
+    this.joined = layer(buffer(gl.RGBA8, gl.COLOR_ATTACHMENT0, 0));
+    this.size = null;
+  }
+
+  #fitLayers() {
+    const gl = this.gl, {width, height} = this.canvas, size = `${width} ${height}`;
+    if (size === this.size) return;
+    this.size = size;
+    this.ground = null;
+    for (const {frame, buffers} of [this.sampled, this.joined]) {
+      gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+      for (const {made, format, place, samples} of buffers) {
+        gl.bindRenderbuffer(gl.RENDERBUFFER, made);
+        gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, width, height);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, place, gl.RENDERBUFFER, made);
+      }
+    }
+  }
+
+  /** Copies a part of a layer to another, or to the canvas if that is null. */
+  #copy(from, to, {x, y, width, height}) {
+    const gl = this.gl, low = this.canvas.height - y - height, part = [x, low, x + width, low + height];
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.frame);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to && to.frame);
+    gl.blitFramebuffer(...part, ...part, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+  }
+
+  /**
+   * Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, sky, backdrop}, in the order of setBodies().
+   * What is behind them stays on the canvas, but where they were in the last picture.
+   */
   draw(books) {
-    const gl = this.gl, height = this.canvas.height;
-    gl.disable(gl.SCISSOR_TEST);
-    gl.clearColor(...kWall.map((part) => (this.isLight ? 1 - kLightShare * part : part)), 1);
-    gl.clear(gl.COLOR_BUFFER_BIT);
-    gl.enable(gl.SCISSOR_TEST);
-    for (const [i, book] of books.entries()) {
-      const {x, y, width, height: tall} = book.area;
-      gl.viewport(x, height - y - tall, width, tall);
-      gl.scissor(x, height - y - tall, width, tall);
-      gl.clearColor(...(book.plain ?? [0, 0, 0]), 1);
-      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-      if (!book.plain) this.#drawBackdrop(this.backdrops[book.backdrop] ?? this.backdrops.studio, width, tall, book.sky);
+    const gl = this.gl, boxes = books.map(boxOf);
+    this.#fitLayers();
+    this.#drawGround(books);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sampled.frame);
+    books.forEach((book, i) => {
+      this.#clear(book, boxes[i]);
       this.#prepare(book);
       if (this.bodies[i]) this.#drawBody(book, this.bodies[i]);
       else this.#drawBook(book);
+    });
+    gl.disable(gl.SCISSOR_TEST);
+    for (const box of boxes) {
+      this.#copy(this.sampled, this.joined, box);
+      this.#copy(this.joined, null, box);
     }
+    this.boxes = boxes;
+  }
+
+  #drawGround(books) {
+    const gl = this.gl, ground = JSON.stringify([this.isLight, books.map(({area, plain, backdrop, sky}) => [area, plain, backdrop, [...sky]])]);
+    const isSame = ground === this.ground;
+    this.ground = ground;
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    if (!isSame) {
+      gl.clearColor(...kWall.map((part) => (this.isLight ? 1 - kLightShare * part : part)), 1);
+      gl.clear(gl.COLOR_BUFFER_BIT);
+    }
+    books.forEach((book, i) => this.#clear(book, isSame ? this.boxes[i] : book.area));
+  }
+
+  /** Draws what is behind a book in a part of its area. */
+  #clear({area, plain, backdrop, sky}, {x, y, width, height}) {
+    const gl = this.gl, bottom = this.canvas.height;
+    gl.enable(gl.SCISSOR_TEST);
+    gl.viewport(area.x, bottom - area.y - area.height, area.width, area.height);
+    gl.scissor(x, bottom - y - height, width, height);
+    gl.clearColor(...(plain ?? [0, 0, 0]), 1);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    if (!plain) this.#drawBackdrop(this.backdrops[backdrop] ?? this.backdrops.studio, area.width, area.height, sky);
   }
 
   #drawBackdrop(shaders, width, height, sky) {

@@ -109,3 +109,20 @@ test("nothing shines at the book's edges that doesn't in the program's picture",
   }
   await close();
 });
+
+test("a book leaves nothing behind where it was", async () => {
+  for (const name of ["fig05-unstable-x", "disc-tips"]) {
+    const {page, close} = await openScene(name);
+    const [left, different] = await page.evaluate(async () => {
+      const {view} = rotatebook.player.drawing, before = await livePixels(2, 0);
+      const after = await livePixels(4.2, 0);
+      view.ground = null;  // All is drawn anew.
+      const anew = await livePixels(4.2, 0);
+      const count = (a, b) => a.reduce((sum, part, i) => sum + (part !== b[i] ? 1 : 0), 0);
+      return [count(after, anew), count(before, anew)];
+    });
+    assert.equal(left, 0, name);
+    assert.ok(different > 1000, name);
+    await close();
+  }
+});

@@ -102,3 +102,35 @@ test("the ball's fixed curves are drawn once for a size and a body", async () =>
   assert.equal(await drawn([3, 2.5, 1], 120), 2);
   await close();
 });
+
+/** Counts the pixels in which the page draws what is behind the books. */
+function countGround() {
+  const {gl} = rotatebook.player.drawing.view, {drawArrays} = gl;
+  window.ground = 0;
+  gl.drawArrays = (...values) => {
+    const [, , width, height] = gl.getParameter(gl.SCISSOR_BOX);
+    ground += width * height / (gl.canvas.width * gl.canvas.height);
+    drawArrays.apply(gl, values);
+  };
+}
+
+test("what is behind a book is drawn once, but where the book is and was", async () => {
+  const {page, problems, close} = await open();
+  await page.setViewportSize({width: 1280, height: 720});
+  await page.evaluate(countGround);
+  const drawn = (frame) => page.evaluate((at) => {
+    window.ground = 0;
+    rotatebook.player.drawing.draw(at, rotatebook.player);
+    return ground;
+  }, frame);
+  await page.evaluate(() => rotatebook.player.pause());
+  await drawn(0);
+  for (const frame of [10, 20, 30]) {
+    const share = await drawn(frame);
+    assert.ok(share > 0 && share < 0.5, `${share} of the picture`);  // Measured 0.35 at most; 1 where all was drawn each time.
+  }
+  await page.evaluate(() => { rotatebook.player.drawing.view.isLight = true; });
+  assert.ok(await drawn(30) >= 1);
+  assert.deepEqual(problems, []);
+  await close();
+});

@@ -224,6 +224,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
               {"badge", figure.badge},
               {"caption", escaped(told.caption)},
               {"notes", divergenceOf(scene, clip, say)},
+              {"toy", toyButton(scene, say)},
               {"width", {std::to_string(scene.clip.width)}},
               {"height", {std::to_string(scene.clip.height)}},
               {"screen", screenOf(told, clip, figure, files.nameOfPicture(poster), say)},

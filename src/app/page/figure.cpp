@@ -1,5 +1,7 @@
 #include "page/figure.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "base/error.h"
@@ -30,6 +32,7 @@ Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const Figu
                            {"width", {std::to_string(pixels.width())}},
                            {"height", {std::to_string(pixels.height())}},
                            {"caption", escaped(say(scene.caption))},
+                           {"toy", toyButton(scene, say)},
                            {"links", linkItem(picture, files.isPacked ? say("Picture") : "PNG")},
                            {"scene", sceneDetails(scene, say)}},
                           say);
@@ -93,6 +96,16 @@ std::string formatOf(const fs::path& file) {
   std::string name = file.extension().string().substr(1);
   for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
   return name;
+}
+
+Html toyButton(const scene::Scene& scene, const Language& say) {
+  const bool isRecorded = std::ranges::any_of(scene.motions, [](const auto& panel) {
+    return panel.simulation.model == physics::Model::Recorded;
+  });
+  if (isRecorded) return {};
+  return filled(
+      "<p class=\"toy\" hidden><button type=\"button\">{{\"Play with this\"}}</button></p>\n", {},
+      say);
 }
 
 Html sceneDetails(const scene::Scene& scene, const Language& say) {

@@ -84,6 +84,9 @@ Html linkItem(const std::string& address, const std::string& text);
 
 /// Returns the name of a file's format, by its ending: "PNG".
 std::string formatOf(const std::filesystem::path& file);
+/// Returns the button for the live book; empty if a motion was recorded, as the page doesn't hold
+/// recordings. Inside the room only.
+Html toyButton(const scene::Scene& scene, const Language& say);
 /// Returns the scene's text with every default explicit, folded away. Inside the room only.
 Html sceneDetails(const scene::Scene& scene, const Language& say);
 

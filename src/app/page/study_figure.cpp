@@ -43,6 +43,7 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder, const Lang
               {"badge", figure.badge},
               {"plot", addressOf(figure.thumbnail)},
               {"caption", escaped(say(scene.caption))},
+              {"toy", toyButton(scene, say)},
               {"checks",
                foldedChecks(checks, checksTable(say("Expected and measured"), checks, say), say)},
               {"links", links},

@@ -305,6 +305,15 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
   EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
 }
 
+TEST(StillFigure, CanBePlayedWithUnlessItIsOfARecording) {
+  const fs::path folder = emptyFolder();
+  makePicture(folder / "small.png", 80, 45);
+  EXPECT_THAT(readFigure(smallScene(), folder).section.text, HasSubstr("Play with this"));
+  const scene::Scene recorded = scene::parseScene(
+      "[simulation]\nmodel = \"recorded\"\nfile = \"a.csv\"\n", "scenes/small.toml", {});
+  EXPECT_THAT(readFigure(recorded, folder).section.text, Not(HasSubstr("Play with this")));
+}
+
 /// Writes the files that `rotatebook study` leaves, with this result.
 void makeStudy(const fs::path& folder, const std::string& json) {
   for (const char* ending : {".png", ".svg", ".pdf", ".csv"})

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "store/scene_file.h"
 
 namespace rotatebook::page {
 namespace {
@@ -103,6 +104,16 @@ TEST(Story, NamesEachShippedFigureOnce) {
   std::set<std::string> shipped = shippedScenes();
   shipped.erase("spin-about-z");  // An example that isn't part of the story.
   EXPECT_EQ(named, shipped);
+}
+
+TEST(Story, HasATitleOfItsOwnForEachShippedFigure) {
+  std::set<std::string> titles;
+  for (const auto& entry : fs::recursive_directory_iterator(ROTATEBOOK_SOURCE "/scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string title = store::readScene(entry.path()).title;
+    EXPECT_TRUE(titles.insert(title).second) << entry.path() << ": " << title;
+  }
+  EXPECT_FALSE(titles.empty());
 }
 
 }  // namespace

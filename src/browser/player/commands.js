@@ -43,11 +43,11 @@ class Commands {
     await this.#copy(location.href, say("The link is in the clipboard."), say("The link is below, ready to copy."));
   }
 
-  /** A line of HTML for another page. A file's folder means nothing elsewhere: from a file, the two are to lie side by side. */
+  /** A line of HTML for another page, with the sensors of a toss. A file's folder means nothing elsewhere: from a file, the two are to lie side by side. */
   async #copyFrame() {
     const [page] = location.href.split("#"), hash = await hashOf(this.player.sharedText());
     const src = `${location.protocol === "file:" ? page.replace(/.*\//, "") : page}#embed&${hash.slice(1)}`;
-    const frame = make("iframe", {src, title: say("The live book"), width: "960", height: "600", allowFullscreen: true, loading: "lazy"});
+    const frame = make("iframe", {src, title: say("The live book"), width: "960", height: "600", allow: "accelerometer; gyroscope", allowFullscreen: true, loading: "lazy"});
     await this.#copy(frame.outerHTML, say("The frame is in the clipboard: a line of HTML for another page."), say("The frame is below, ready to copy."));
   }
 

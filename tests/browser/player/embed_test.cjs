@@ -3,6 +3,7 @@
 
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
+const http = require("node:http");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
@@ -60,7 +61,7 @@ test("the line to copy is a frame of what is played", async () => {
   await page.waitForFunction(() => /clipboard/.test(document.querySelector(".rb-message").textContent));
   assert.match(await messageOf(page), /^The frame is in the clipboard/);
   const line = await page.evaluate(() => navigator.clipboard.readText());
-  assert.match(line, /^<iframe src="play.html#embed&amp;play=[\w-]+" title="The live book" width="960" height="600" allowfullscreen="" loading="lazy"><\/iframe>$/);
+  assert.match(line, /^<iframe src="play.html#embed&amp;play=[\w-]+" title="The live book" width="960" height="600" allow="accelerometer; gyroscope" allowfullscreen="" loading="lazy"><\/iframe>$/);
   await close();
   fs.copyFileSync(kPlay, path.join(kOutput, "play.html"));
   const course = await openCourse("course-copied.html", line);
@@ -69,6 +70,29 @@ test("the line to copy is a frame of what is played", async () => {
   assert.match(await course.frame.locator(".rb-whole").getAttribute("href"), /play\.html#play=/);
   assert.deepEqual([...problems, ...course.problems], []);
   await course.close();
+});
+
+test("a frame from elsewhere has the sensors of a toss, and full screen", async () => {
+  const pages = {"/play.html": fs.readFileSync(kPlay)};
+  const server = http.createServer(({url}, response) => response.writeHead(pages[url] ? 200 : 404, {"content-type": "text/html"}).end(pages[url]));
+  await new Promise((resolve) => { server.listen(0, resolve); });
+  const {port} = server.address();
+  const {page, close} = await open({}, {file: `http://127.0.0.1:${port}/play.html`});
+  await page.evaluate(() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
+  await page.locator(".rb-more summary").click();
+  await page.locator("[data-do=frame]").click();
+  await page.waitForFunction(() => window.copied);
+  const line = await page.evaluate(() => copied);
+  await close();
+  pages["/course.html"] = `<!doctype html><title>A course</title>\n${line}\n${line.replace(/ allow="[^"]*"/, "")}`;
+  const course = await open({}, {file: `http://localhost:${port}/course.html`, isReady: null});
+  const allowed = await Promise.all(course.page.frames().slice(1).map(async (frame) => {
+    await frame.waitForFunction(() => document.querySelector(".rb-live")?.dataset.ready === "true");
+    return frame.evaluate(() => ["accelerometer", "gyroscope", "fullscreen"].map((name) => document.featurePolicy.allowsFeature(name)));
+  }));
+  assert.deepEqual(allowed, [[true, true, true], [false, false, true]]);
+  await course.close();
+  server.close();
 });
 
 test("a step of the tour in a frame", async () => {

@@ -34,6 +34,19 @@ const faultsOf = (page) => page.evaluate((selectors) => {
   return {faults, count: controls.length, scrolled: scrollY};
 }, kControls);
 
+/** What of the texts around the book lies on it, or on the heading, in a narrow window: hint, outcome, languages. */
+const coveredBy = (page) => page.evaluate(() => {
+  const said = document.querySelector(".rb-said");
+  Object.assign(said, {hidden: false, textContent: "11 rad/s, 6 degrees off the middle axis: it turns over about once a second."});
+  const pairs = [[".rb-hint", ".rb-stage"], [".rb-said", ".rb-stage"], [".languages", "h1"]].map((pair) => pair.map((selector) => document.querySelector(selector)));
+  const covered = pairs.filter(([text, other]) => {
+    const [a, b] = [text, other].map((element) => element?.getBoundingClientRect());
+    return a && a.top < b.bottom && b.top < a.bottom;
+  });
+  said.hidden = true;
+  return covered.map(([text]) => text.className);
+});
+
 async function checkTour(page, picture) {
   for (let step = 0; step < 6; ++step) {
     await page.evaluate((wanted) => {
@@ -54,6 +67,7 @@ for (const name of ["play", "index"]) {
       const file = name === "play" ? kPlay : pageOfFigures();
       const {page, problems, close} = await open({viewport: {width, height}}, {file: pathToFileURL(file).href});
       await page.screenshot({path: path.join(kOutput, `first-${name}-${width}.png`)});
+      if (width < 640) assert.deepEqual(await coveredBy(page), []);
       const {faults, count, scrolled} = await faultsOf(page);
       assert.deepEqual([faults, count, scrolled], [[], width < 640 ? 13 : 15, 0]);
       await page.getByRole("button", {name: "why"}).click();

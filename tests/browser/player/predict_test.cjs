@@ -50,6 +50,22 @@ test("three tasks, each answered by its motion", async () => {
   await close();
 });
 
+test("the books of a question are at their places as soon as they are seen", async () => {
+  const {page, close} = await open();
+  const [first, last] = await page.evaluate(async () => {
+    const {drawing} = rotatebook.player, draw = drawing.draw.bind(drawing), places = [];
+    drawing.draw = (...what) => {
+      draw(...what);
+      places.push(JSON.stringify(drawing.books.map(({area}) => area)));
+    };
+    document.querySelector("[data-do=predict]").click();
+    await new Promise((resolve) => { setTimeout(resolve, 500); });
+    return [places.find((areas) => JSON.parse(areas).length === 3), places.at(-1)];
+  });
+  assert.equal(first, last);
+  await close();
+});
+
 test("a click on a cover is an answer", async () => {
   const {page, close} = await open();
   await page.locator("[data-do=predict]").click();

@@ -5,14 +5,14 @@ const assert = require("node:assert/strict");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, startBrowser, closeBrowser, open, violations, pageOfFigures, playerScripts} = require("./live_page.cjs");
+const {kOutput, kPages, startBrowser, closeBrowser, open, violations, playerScripts} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
 
 const isFull = (page, wanted) => page.waitForFunction((on) => (document.fullscreenElement !== null) === on && document.querySelector(".rb-bare") !== null === on, wanted);
 
-for (const [name, fileOf] of [["play", () => kPlay], ["index", pageOfFigures]]) {
+for (const [name, fileOf] of Object.entries(kPages)) {
   test(`full screen by button and by key in ${name}.html`, async () => {
     const {page, problems, close} = await open({viewport: {width: 1280, height: 720}}, {file: pathToFileURL(fileOf()).href});
     const button = page.locator("[data-do=full]");

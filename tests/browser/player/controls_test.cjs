@@ -14,7 +14,7 @@ after(closeBrowser);
 /** Opens the page with everything unfolded. */
 async function opened(options) {
   const live = await open(options);
-  await live.page.locator("summary").click();
+  await live.page.locator(".rb-more > summary").click();
   return {...live, choose: (name, value) => live.page.locator(`input[name=rb-${name}][value="${value}"]`).check()};
 }
 

@@ -7,7 +7,7 @@ const http = require("node:http");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, messageOf} = require("./live_page.cjs");
+const {kOutput, kPlay, kPages, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, messageOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -20,7 +20,7 @@ async function openCourse(name, line) {
   return {...course, frame: course.page.frames()[1]};
 }
 
-for (const [name, fileOf] of [["play", () => kPlay], ["index", pageOfFigures]]) {
+for (const [name, fileOf] of Object.entries(kPages)) {
   test(`${name}.html in a frame from file:`, async () => {
     const file = fileOf(), address = pathToFileURL(file).href;
     const {page, frame, problems, close} = await openCourse(`course-${name}.html`, `<iframe src="${address}#embed" title="The live book" width="960" height="600" allowfullscreen></iframe>`);

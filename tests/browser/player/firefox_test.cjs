@@ -11,14 +11,59 @@ const {kPlay, kOutput, kTurns, render, verify} = require("./live_page.cjs");
 const {kScenes, kMotions, giveFiles} = require("./shipped.cjs");
 
 /** A page that opens files as people's Firefox does: what lies beside it is another origin. */
-async function open(hasWebGl2) {
+async function open(hasWebGl2, address = pathToFileURL(kPlay).href) {
   const browser = await puppeteer.launch({browser: "firefox", executablePath: "/usr/bin/firefox-esr", headless: false,
     extraPrefsFirefox: {"security.fileuri.strict_origin_policy": true, "ui.prefersReducedMotion": 1, "webgl.enable-webgl2": hasWebGl2}});
   const page = await browser.newPage();
-  await page.goto(pathToFileURL(kPlay).href);
-  await page.waitForFunction(() => document.querySelector(".rb-live").dataset.ready === "true");
-  return {page, close: () => browser.close()};
+  await page.goto(address);
+  const [played] = [...page.frames().slice(1), page];  // That in a frame of the page, or the page.
+  await played.waitForFunction(() => document.querySelector(".rb-live")?.dataset.ready === "true");
+  return {page, played, close: () => browser.close()};
 }
+
+/** What the steps of the tour ask for. */
+const kTourActs = [".rb-answers button:nth-child(2)", ".rb-throws [data-axis=x]", "input[name=rb-frame][value=body]", "[data-do=why]", ".rb-throws [data-axis=z]",
+  ".rb-throws [data-axis=y]"];
+
+test("the tour is gone through, and left", async () => {
+  const {page, close} = await open(true, pathToFileURL(kPlay).href + "#tour=1");
+  try {
+    await page.select(".rb-speed select", "8");
+    for (const [i, act] of kTourActs.entries()) {
+      await page.waitForFunction((step) => document.querySelector(".rb-step").textContent.startsWith(`Tour, step ${step} of 6`), {}, i + 1);
+      assert.equal(await page.evaluate(() => location.hash), `#tour=${i + 1}`);
+      assert.ok(await page.$eval(".rb-next", (next) => next.disabled), "something is to be done");
+      await page.$eval(act, (element) => element.click());
+      await page.waitForFunction(() => !document.querySelector(".rb-next").disabled);
+      if (i + 1 < kTourActs.length) await page.$eval(".rb-next", (next) => next.click());
+    }
+    await page.goBack();
+    await page.waitForFunction(() => location.hash === "#tour=5" && /step 5/.test(document.querySelector(".rb-step").textContent));
+    await page.$eval(".rb-answers .rb-close", (leave) => leave.click());
+    await page.waitForFunction(() => location.hash === "" && document.querySelector(".rb-question").hidden);
+  } finally {
+    await close();
+  }
+});
+
+test("in a frame from a file it is alone, fills the frame, and is thrown", async () => {
+  const course = path.join(kOutput, "course-firefox.html");
+  fs.writeFileSync(course, `<!doctype html><html lang="en"><title>A course</title><iframe src="${pathToFileURL(kPlay).href}#embed" width="960" height="600" allowfullscreen></iframe>`);
+  const {played, close} = await open(true, pathToFileURL(course).href);
+  try {
+    const seen = await played.evaluate(() => {
+      const parts = [...document.querySelector(".rb-player").children].filter((element) => element.checkVisibility() && element.getBoundingClientRect().height > 1);
+      const {right, bottom} = document.querySelector(".rb-transport").getBoundingClientRect();
+      return {parts: parts.map((element) => element.className), ends: [right, bottom].map(Math.round), heading: document.querySelector("h1").checkVisibility()};
+    });
+    assert.deepEqual(seen, {parts: ["rb-scene", "rb-transport"], ends: [960, 600], heading: false});
+    assert.equal(await played.$eval(".rb-whole", (link) => link.href), pathToFileURL(kPlay).href);
+    await played.$eval(".rb-throws [data-axis=z]", (button) => button.click());
+    await played.waitForFunction(() => rotatebook.player.outcome.spin?.axis === "largest" && rotatebook.player.frame > 5);
+  } finally {
+    await close();
+  }
+});
 
 test("all scenes have the checksums of the table, and a clip is proved", async () => {
   const {page, close} = await open(true);

@@ -5,7 +5,7 @@ const assert = require("node:assert/strict");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, startBrowser, closeBrowser, open, pageOfFigures} = require("./live_page.cjs");
+const {kOutput, kPages, startBrowser, closeBrowser, open} = require("./live_page.cjs");
 
 const kSizes = [[1366, 768], [1024, 768], [390, 844]];
 const kControls = [".rb-throws button", ".rb-views label", ".rb-views button", ".rb-transport button", ".rb-timeline", ".rb-speed select", ".rb-step",
@@ -61,10 +61,10 @@ async function checkTour(page, picture) {
   }
 }
 
-for (const name of ["play", "index"]) {
+for (const name of Object.keys(kPages)) {
   for (const [width, height] of kSizes) {
     test(`all is there in ${name}.html at ${width} x ${height}`, async () => {
-      const file = name === "play" ? kPlay : pageOfFigures();
+      const file = kPages[name]();
       const {page, problems, close} = await open({viewport: {width, height}}, {file: pathToFileURL(file).href});
       await page.screenshot({path: path.join(kOutput, `first-${name}-${width}.png`)});
       if (width < 640) assert.deepEqual(await coveredBy(page), []);

@@ -228,7 +228,7 @@ test("a click plays and pauses; jiggle adds a small nudge", async () => {
   await page.waitForFunction(() => rotatebook.player.frame > 10);
   await page.locator(".rb-lines").click();
   const frame = await frameOf(page);
-  await page.locator("summary").click();
+  await page.locator(".rb-more > summary").click();
   await page.locator("[data-do=jiggle]").click();
   const {nudge} = await sceneOf(page);
   assert.equal(nudge.length, 1);

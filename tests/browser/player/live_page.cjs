@@ -75,8 +75,14 @@ async function recordOf(file) {
   return scripts.readRecord(await coreFor(scripts), new Blob([fs.readFileSync(file)]));
 }
 
+/** Both pages with the live book: their files, made at a call. */
+const kPages = {play: () => kPlay, index: pageOfFigures};
+let played = null;
+/** The file of the page that the suite is run with. */
+const playedFile = () => played ??= kPages[process.env.ROTATEBOOK_PLAYED ?? "play"]();
+
 /** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
-async function open(options = {}, {hash = "", script = null, isReady = "true", file = pathToFileURL(kPlay).href} = {}) {
+async function open(options = {}, {hash = "", script = null, isReady = "true", file = pathToFileURL(playedFile()).href} = {}) {
   const context = await browser.newContext({viewport: kSmall, reducedMotion: "reduce", ...options});
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
@@ -115,4 +121,4 @@ const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
 const messageOf = (page) => page.locator(".rb-message").textContent();
 const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
 
-module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, violations, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf, load};
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, violations, kPages, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf, load};

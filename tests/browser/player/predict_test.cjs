@@ -22,7 +22,7 @@ test("three tasks, each answered by its motion", async () => {
   const see = async (answer, pattern) => {
     assert.equal(await frameOf(page), 0);
     await page.locator(".rb-answers button").nth(answer).click();
-    await page.locator("[data-speed]").selectOption("8");
+    await page.locator(".rb-speed select").selectOption("8");
     await page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".rb-question-text").textContent), pattern.source);
   };
 

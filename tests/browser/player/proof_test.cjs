@@ -125,7 +125,7 @@ test("makes a dropped mesh the body, and a dropped table the motion", async () =
 
 test("takes a file from its field, too", async () => {
   const {page, close} = await open();
-  await page.locator("summary").click();
+  await page.locator(".rb-more > summary").click();
   await page.locator("input[type=file]").setInputFiles(render("turns", kTurns));
   await saying(page, /proved/);
   await close();

@@ -13,7 +13,7 @@ after(closeBrowser);
 /** Opens the page with docs/toss.csv. */
 async function opened() {
   const live = await open();
-  await live.page.locator("summary").click();
+  await live.page.locator(".rb-more > summary").click();
   await live.page.locator("input[type=file]").setInputFiles(path.join(kRoot, "docs/toss.csv"));
   await live.page.waitForFunction(() => rotatebook.player.scene.tree.simulation?.file === "toss.csv");
   return live;

@@ -23,7 +23,7 @@ const kNoH264 = `const ask = VideoEncoder.isConfigSupported;
 async function opened(scene = kShort, options = {}, viewport = {width: 640, height: 900}) {
   const opening = await open({acceptDownloads: true, viewport}, options);
   await load(opening.page, scene);
-  await opening.page.locator("summary").click();
+  await opening.page.locator(".rb-more > summary").click();
   return opening;
 }
 

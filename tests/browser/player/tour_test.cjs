@@ -2,18 +2,16 @@
 "use strict";
 
 const assert = require("node:assert/strict");
-const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf} = require("./live_page.cjs");
+const {kPages, startBrowser, closeBrowser, open, violations, checksumOf, frameOf, sceneOf, messageOf} = require("./live_page.cjs");
 
 const kSteps = 6;
-const kFiles = {play: () => kPlay, index: pageOfFigures};
 
 before(() => startBrowser());
 after(closeBrowser);
 
-const openFile = (name, options, more) => open(options, {file: pathToFileURL(kFiles[name]()).href, ...more});
+const openFile = (name, options, more) => open(options, {file: pathToFileURL(kPages[name]()).href, ...more});
 const lineOf = (page) => page.locator(".rb-step").textContent();
 const nextOf = (page) => page.locator(".rb-next");
 const hashOf = (page) => page.evaluate(() => location.hash);
@@ -58,7 +56,7 @@ const kWays = {
   },
 };
 
-for (const name of Object.keys(kFiles)) {
+for (const name of Object.keys(kPages)) {
   for (const [device, {next, acts}] of Object.entries(kWays)) {
     test(`six steps by ${device} in ${name}.html`, async () => {
       const {page, problems, close} = await openFile(name, {viewport: {width: 1024, height: 768}});

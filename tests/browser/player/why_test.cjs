@@ -94,7 +94,7 @@ test("forces are to the legend's scale", async () => {
 
 test("Poinsot's construction is drawn, of rigid books", async () => {
   const {page, problems, close, picture} = await opened();
-  await page.locator("summary").click();
+  await page.locator(".rb-more > summary").click();
   const before = await picture(".rb-lines");
   await page.getByLabel("Poinsot’s construction").check();
   assert.notEqual(await picture(".rb-lines"), before);
@@ -134,7 +134,7 @@ test("what the book hides of Poinsot's construction is faint", async () => {
 
 test("slowly while it turns over, and only then", async () => {
   const {page, close} = await opened();
-  await page.locator("[data-speed]").selectOption("flips");
+  await page.locator(".rb-speed select").selectOption("flips");
   const speedAt = (frame) => page.evaluate((at) => {
     rotatebook.player.seek(at);
     rotatebook.player.tick(performance.now());
@@ -142,11 +142,11 @@ test("slowly while it turns over, and only then", async () => {
   }, frame);
   await page.waitForFunction(() => rotatebook.player.isComplete);
   assert.deepEqual([await speedAt(10), await speedAt(kOnItsWay)], [1, 0.25]);  // Tilts of 1 and 108 degrees.
-  await page.locator("[data-speed]").selectOption("1");
+  await page.locator(".rb-speed select").selectOption("1");
   assert.equal(await speedAt(kOnItsWay), 1);
   // A book that is always tilted, and never turns over.
   await load(page, 'title = "t"\nsimulation.model = "exact"\n[initial]\nangular_velocity = [0, 4, 3]\n');
-  await page.locator("[data-speed]").selectOption("flips");
+  await page.locator(".rb-speed select").selectOption("flips");
   await page.waitForFunction(() => rotatebook.player.isComplete);
   assert.equal(await speedAt(100), 1);
   await close();

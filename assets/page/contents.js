@@ -2,7 +2,7 @@
 "use strict";
 
 const makeContents = (() => {
-  const kNear = 24;  // How far below the window's top a figure still counts as the one that is looked at. [pixels]
+  const kNear = 24;  // How far below the place that a link leads to a figure still counts as the one that is looked at. [pixels]
 
   return function makeContents(nav, figures) {
     const list = nav.querySelector("details");
@@ -10,6 +10,9 @@ const makeContents = (() => {
     const isWide = matchMedia("(min-width: 84rem)");
     /** Those that aren't folded away, which have no place. */
     const shown = () => figures.filter((figure) => !figure.closest(".folded:not([open])"));
+
+    /** Where a figure is, from its place in the window if a link leads to it: at the sentence before it. [pixels] */
+    const placeOf = (figure) => figure.getBoundingClientRect().top - parseFloat(getComputedStyle(figure).scrollMarginTop);
 
     /** The figure that is looked at: the last whose top is above the middle of the window; undefined above the first. */
     function current() {
@@ -37,10 +40,10 @@ const makeContents = (() => {
     }
 
     function next() {
-      go(shown().find((figure) => figure.getBoundingClientRect().top > kNear));
+      go(shown().find((figure) => placeOf(figure) > kNear));
     }
     function previous() {
-      go(shown().findLast((figure) => figure.getBoundingClientRect().top < -kNear));
+      go(shown().findLast((figure) => placeOf(figure) < -kNear));
     }
 
     for (const [name, act] of [["previous", previous], ["next", next]]) {
@@ -51,6 +54,11 @@ const makeContents = (() => {
     const fold = () => { list.open = isWide.matches; };
     isWide.addEventListener("change", fold);
     fold();
+    // Where the list covers the page, it opens at the reader's place.
+    list.addEventListener("toggle", () => {
+      const link = list.querySelector("[aria-current]");
+      if (link && list.open && !isWide.matches) link.scrollIntoView({block: "center"});
+    });
     nav.addEventListener("click", (event) => { if (event.target.closest("a") && !isWide.matches) list.open = false; });
     nav.addEventListener("keydown", (event) => {
       if (event.key !== "Escape" || isWide.matches || !list.open) return;

@@ -4,14 +4,13 @@
 /** The simulated time of each frame. [s] */
 const timesOf = (clip) => clip.times ?? Array.from({length: clip.frames}, (unused, index) => index * clip.interval);
 
-/** A clip that is a GIF or an APNG. No browser tells its frame: its plots stay at the start. */
+/** A clip that is a GIF or an APNG. No browser tells its frame: its plots stay at the poster's. */
 class MovingPicture extends EventTarget {
-  frame = 0;
-
   constructor(section, clip) {
     super();
     this.section = section;
     this.times = timesOf(clip);
+    this.frame = clip.poster;
     const picture = section.querySelector(".screen img"), start = section.querySelector(".start");
     start.hidden = false;
     start.addEventListener("click", () => {
@@ -50,7 +49,7 @@ class Player extends EventTarget {
     this.connectVideo();
     this.connectControls();
     this.connectFullScreen();
-    this.show(0);
+    this.show(clip.poster);  // The picture that is there until the clip plays, from its start.
   }
 
   connectVideo() {

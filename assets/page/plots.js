@@ -5,6 +5,8 @@ const kPlotHeight = 140;  // [CSS pixels]; of .curves in the style, too
 const kSeriesColours = 6;
 // An error that never exceeds this is of rounding alone, as the exact motion's own, and is no sight. [degrees]
 const kLargestNoise = 1e-10;
+// A curve is a line that goes up and down by less than this share of its plot's height.
+const kLine = 0.01;
 
 /** The colour that the page's style calls `name`, as the theme has it, for a canvas. */
 function colourOf(name) {
@@ -63,7 +65,26 @@ function rangeOf(chart, low, high) {
   return [bottom, chart.to === undefined ? top + 0.06 * span : top];
 }
 
-/** A plot's heading, legend and place, which don't change when draw() is called, later, for its curves. */
+/** The smallest and the largest value of some series; null without any. */
+function boundsOf(series) {
+  const known = series.flatMap(({values}) => values.filter((value) => value !== null));
+  const least = (start, pick) => known.reduce((a, b) => pick(a, b), start);
+  return known.length === 0 ? [null, null] : [least(Infinity, Math.min), least(-Infinity, Math.max)];
+}
+
+/** Whether nothing is to be seen in a chart but lines. */
+function isOfLines(chart) {
+  const [bottom, top] = rangeOf(chart, ...boundsOf(chart.series));
+  return chart.series.every((one) => {
+    const [low, high] = boundsOf([one]);
+    return high - low < kLine * (top - bottom);
+  });
+}
+
+/**
+ * A plot's heading, legend and place, which don't change when draw() is called, later, for its curves. One of lines says so, and is
+ * folded.
+ */
 class Plot {
   constructor(parent, chart, times, clip, player) {
     this.chart = chart;
@@ -71,16 +92,30 @@ class Plot {
     this.clip = clip;
     this.player = player;
     this.logarithmic = false;
-    this.element = document.createElement("div");
+    this.isFolded = isOfLines(chart);
+    this.element = document.createElement(this.isFolded ? "details" : "div");
     this.element.className = "plot";
     parent.append(this.element);
-    this.element.append(this.heading(), this.legend());
+    this.element.append(this.isFolded ? this.words() : this.heading(), this.legend());
+    this.element.addEventListener("toggle", () => this.draw());
     this.canvas = document.createElement("div");
     this.canvas.className = "curves";
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", this.summary());
     this.element.append(this.canvas);
     this.showValues();
+  }
+
+  /** In place of a line. */
+  words() {
+    const words = document.createElement("summary");
+    const texts = this.chart.series.map((one) => {
+      const [low, high] = boundsOf([one]).map(numberText);
+      return low === high ? say("{value} throughout", {value: low}) : say("{low} to {high}", {low, high});
+    });
+    const areAlike = texts.every((text) => text === texts[0]);
+    words.textContent = this.chart.title + ": " + (areAlike ? texts[0] : this.chart.series.map(({label}, i) => label + " " + texts[i]).join("; "));
+    return words;
   }
 
   heading() {
@@ -118,15 +153,14 @@ class Plot {
 
   summary() {
     const parts = this.chart.series.map(({label, values}) => {
-      const known = values.filter((value) => value !== null);
-      const low = known.reduce((a, b) => Math.min(a, b), Infinity);
-      const high = known.reduce((a, b) => Math.max(a, b), -Infinity);
-      return say("{label} from {low} to {high}", {label, low: numberText(low), high: numberText(high)});
+      const [low, high] = boundsOf([{values}]).map(numberText);
+      return say("{label} from {low} to {high}", {label, low, high});
     });
     return this.chart.title + ": " + parts.join("; ");
   }
 
   draw() {
+    if (this.isFolded && !this.element.open) return;
     if (this.plot) this.plot.destroy();
     const positive = (value) => value > 0 ? value : null;
     const columns = this.chart.series.map(({values}) => {
@@ -138,7 +172,6 @@ class Plot {
     this.playhead.className = "playhead";
     this.plot.over.append(this.playhead);
     this.connectPointer();
-    this.follow();
   }
 
   options() {
@@ -169,7 +202,7 @@ class Plot {
         pxAlign: 0,
         points: {show: false},
       }))],
-      hooks: {setCursor: [() => this.showValues()]},
+      hooks: {setCursor: [() => this.showValues()], draw: [() => this.follow()]},
     };
   }
 
@@ -211,7 +244,6 @@ class Plot {
     const width = this.canvas.clientWidth;
     if (!this.plot || width === 0 || width === this.plot.width) return;
     this.plot.setSize({width, height: kPlotHeight});
-    this.follow();
   }
 }
 
@@ -220,7 +252,9 @@ function makePlots(section, clip, player) {
   const parent = section.querySelector(".plots");
   const longest = Math.max(...clip.motions.map((motion) => motion.tilt.length));
   const times = player.times.slice(0, longest);
-  const plots = chartsOf(clip).map((chart) => new Plot(parent, chart, times, clip, player));
+  const charts = chartsOf(clip).sort((a, b) => isOfLines(a) - isOfLines(b));
+  const plots = charts.map((chart) => new Plot(parent, chart, times, clip, player));
+  section.classList.toggle("without-curves", plots.every(({isFolded}) => isFolded));
   player.addEventListener("frame", () => plots.forEach((plot) => plot.follow()));
   new ResizeObserver(() => plots.forEach((plot) => plot.resize())).observe(parent);
   return plots;

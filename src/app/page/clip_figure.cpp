@@ -222,7 +222,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
               {"anchor", addressOf(scene.name)},
               {"title", escaped(told.title)},
               {"badge", figure.badge},
-              {"caption", escaped(told.caption)},
+              {"caption", captionOf(scene, say)},
               {"notes", divergenceOf(scene, clip, say)},
               {"toy", toyButton(scene, say)},
               {"width", {std::to_string(scene.clip.width)}},

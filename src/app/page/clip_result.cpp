@@ -5,8 +5,10 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "page/figure.h"
 #include "page/result_json.h"
+#include "scene/poster_frame.h"
 #include "store/fingerprint.h"
 
 namespace rotatebook::page {
@@ -41,6 +43,23 @@ MotionResult motionIn(const Json& motion, const Language& say) {
   return result;
 }
 
+/// Leaves of the motions' samples what the page draws and says: kinds of energy only of a lone book
+/// of springs, and as many digits as its plots tell.
+void keepPlotted(Json& motions) {
+  constexpr int kDigits = 4;
+  for (Json& motion : motions) {
+    if (motions.size() > 1 || !motion.at("springs").get<bool>()) {
+      for (const char* key : {"kinetic", "potential"}) motion.erase(key);
+    }
+    for (Json& member : motion) {
+      if (!member.is_array()) continue;
+      for (Json& value : member) {
+        if (value.is_number_float()) value = Json::parse(roundedText(value.get<double>(), kDigits));
+      }
+    }
+  }
+}
+
 /// Returns JSON that is safe in a <script>: "<" is in texts alone.
 std::string inScript(const Json& json) {
   std::string text;
@@ -57,8 +76,10 @@ ClipResult resultIn(const Json& json, const scene::Scene& scene, const std::stri
     result.events.push_back(eventIn(event, scene.overlay.words, say));
   Json plots = json.at("plots");
   for (const char* key : {"rate", "frames"}) plots[key] = json.at(key);
+  plots["poster"] = posterFrame(scene.clip, result.frames);
   for (Json& motion : plots.at("motions"))
     motion["label"] = say(motion.at("label").get<std::string>());
+  keepPlotted(plots.at("motions"));
   if (!checksum.empty()) plots["checksum"] = checksum;
   result.plots = inScript(plots);
   return result;

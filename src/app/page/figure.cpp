@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
-#include "scene/scene_text.h"
+#include "page/short_scene.h"
 #include "store/clip_files.h"
 
 namespace rotatebook::page {
@@ -31,12 +31,19 @@ Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const Figu
                            {"picture", addressOf(picture)},
                            {"width", {std::to_string(pixels.width())}},
                            {"height", {std::to_string(pixels.height())}},
-                           {"caption", escaped(say(scene.caption))},
+                           {"caption", captionOf(scene, say)},
                            {"toy", toyButton(scene, say)},
                            {"links", linkItem(picture, files.isPacked ? say("Picture") : "PNG")},
                            {"scene", sceneDetails(scene, say)}},
                           say);
   return figure;
+}
+
+/// Returns whether all pictures of the scene show its caption, and no cue's in its place.
+bool drawsCaption(const scene::Scene& scene) {
+  return shows(scene, scene::Overlay::Caption) &&
+         std::ranges::none_of(scene.cues,
+                              [](const scene::Cue& cue) { return cue.text.has_value(); });
 }
 
 bool isStill(const scene::Scene& scene, const fs::path& folder) {
@@ -108,11 +115,20 @@ Html toyButton(const scene::Scene& scene, const Language& say) {
       say);
 }
 
+Html captionOf(const scene::Scene& scene, const Language& say) {
+  const std::string text = say(scene.caption);
+  const bool isDrawn = scene.map || (!scene.study && drawsCaption(scene));
+  return filled(R"(class="{{class}}" id="{{anchor}}/caption">{{text}})",
+                {{"class", {isDrawn && text == scene.caption ? "caption drawn" : "caption"}},
+                 {"anchor", addressOf(scene.name)},
+                 {"text", escaped(text)}});
+}
+
 Html sceneDetails(const scene::Scene& scene, const Language& say) {
   return filled(
-      "<details><summary>{{\"The scene, every default explicit\"}}</summary><pre class=\"scene\" "
+      "<details><summary>{{\"The scene\"}}</summary><pre class=\"scene\" "
       "tabindex=\"0\">{{text}}</pre></details>",
-      {{"text", escaped(sceneText(scene))}}, say);
+      {{"text", escaped(shortText(scene))}}, say);
 }
 
 }  // namespace rotatebook::page

@@ -87,7 +87,10 @@ std::string formatOf(const std::filesystem::path& file);
 /// Returns the button for the live book; empty if a motion was recorded, as the page doesn't hold
 /// recordings. Inside the room only.
 Html toyButton(const scene::Scene& scene, const Language& say);
-/// Returns the scene's text with every default explicit, folded away. Inside the room only.
+/// Returns the scene's caption, from the attributes of its element on. Its class says if the
+/// picture has it in the same words. Inside the room only.
+Html captionOf(const scene::Scene& scene, const Language& say);
+/// Returns the scene's text, folded away. Inside the room only.
 Html sceneDetails(const scene::Scene& scene, const Language& say);
 
 }  // namespace rotatebook::page

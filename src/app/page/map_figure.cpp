@@ -77,7 +77,7 @@ Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const Figure
               {"picture", addressOf(picture)},
               {"width", {std::to_string(pixels.width())}},
               {"height", {std::to_string(pixels.height())}},
-              {"caption", escaped(say(scene.caption))},
+              {"caption", captionOf(scene, say)},
               {"film", film},
               {"checks",
                foldedChecks(checks, checksTable(say("Expected and measured"), checks, say), say)},

@@ -31,7 +31,6 @@ constexpr std::string_view kFolded =
 
 constexpr std::string_view kItem = R"(<li><a href="#{{anchor}}">
 <span class="frame"><img src="{{thumbnail}}" alt="" loading="lazy" decoding="async"></span>
-<span class="name">{{id}}</span>
 <span class="title">{{title}}</span>
 </a>{{badge}}</li>
 )";
@@ -53,6 +52,11 @@ constexpr std::string_view kContentsChapter =
 constexpr std::string_view kContentsItem = R"(<li><a href="#{{anchor}}">{{title}}</a></li>
 )";
 
+/// A part of the page that isn't a chapter.
+constexpr std::string_view kContentsPart =
+    R"(<li><a class="of-chapter" href="#page/{{part}}">{{title}}</a></li>
+)";
+
 constexpr std::string_view kChapter = R"(<section class="chapter" aria-labelledby="{{place}}">
 <header class="opening"><h2 id="{{place}}">{{title}}</h2>{{words}}</header>
 {{figures}}</section>
@@ -72,8 +76,7 @@ Html placeOf(const ToldChapter& chapter) {
 }
 
 Html itemOf(const Figure& figure) {
-  return filled(kItem, {{"id", escaped(figure.id)},
-                        {"anchor", addressOf(figure.id)},
+  return filled(kItem, {{"anchor", addressOf(figure.id)},
                         {"thumbnail", addressOf(figure.thumbnail)},
                         {"title", escaped(figure.title)},
                         {"badge", figure.badge}});
@@ -99,8 +102,13 @@ Html overviewOf(const std::vector<ToldChapter>& chapters, const Language& say) {
   return filled(kOverview, {{"groups", groups}}, say);
 }
 
-Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead, const Language& say) {
-  Html all;
+Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead, bool hasLive,
+                const Language& say) {
+  const auto part = [](const char* name, const std::string& title) {
+    return filled(kContentsPart, {{"part", {name}}, {"title", escaped(title)}});
+  };
+  Html all = hasLive ? part("live", say("The live book")) : Html{};
+  all += part("overview", say("Overview"));
   for (const ToldChapter& chapter : chapters) {
     Html items;
     for (const ToldFigure& told : chapter.figures) {
@@ -148,13 +156,13 @@ struct Parts {
   Html preview{}, contents{}, lead{}, overview{}, chapters{};
 };
 
-Parts partsOf(const std::vector<Figure>& figures, const Language& say) {
+Parts partsOf(const std::vector<Figure>& figures, bool hasLive, const Language& say) {
   if (figures.empty()) return {};
   const Figure& lead = figures.front();
   const std::vector<ToldChapter> chapters = tell(figures, story(), say);
   Parts parts{.preview = previewOf(lead), .lead = lead.section};
   if (figures.size() == 1) return parts;
-  parts.contents = contentsOf(chapters, lead, say);
+  parts.contents = contentsOf(chapters, lead, hasLive, say);
   parts.overview = overviewOf(chapters, say);
   parts.chapters = chaptersOf(chapters, lead, say);
   return parts;
@@ -182,9 +190,11 @@ Html wordsOfScripts(const Language& say) {
 
 std::string pageText(const std::string& title, const std::vector<Figure>& figures,
                      const std::string& live, const Language& say) {
-  const Parts parts = partsOf(figures, say);
+  const Parts parts = partsOf(figures, !live.empty(), say);
   const Html fragment =
-      live.empty() ? Html{} : filled("<div class=\"live\">{{live}}</div>\n", {{"live", {live}}});
+      live.empty()
+          ? Html{}
+          : filled("<div class=\"live\" id=\"page/live\">{{live}}</div>\n", {{"live", {live}}});
   return filled(indexTemplate(),
                 {{"title", escaped(say(title))},
                  {"language", escaped(say.tag)},

@@ -42,7 +42,7 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder, const Lang
               {"title", escaped(figure.title)},
               {"badge", figure.badge},
               {"plot", addressOf(figure.thumbnail)},
-              {"caption", escaped(say(scene.caption))},
+              {"caption", captionOf(scene, say)},
               {"toy", toyButton(scene, say)},
               {"checks",
                foldedChecks(checks, checksTable(say("Expected and measured"), checks, say), say)},

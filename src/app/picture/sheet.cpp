@@ -14,8 +14,8 @@
 #include "image/png_file.h"
 #include "overlay/text.h"
 #include "picture/frame_drawer.h"
-#include "picture/poster.h"
 #include "picture/still.h"
+#include "scene/poster_frame.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
@@ -79,7 +79,7 @@ std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::Cl
   for (const double time : options.times) frames.push_back(frameAt(scene, motion, time));
   if (!frames.empty()) return frames;
   const std::int64_t last = motion.frameCount() - 1;
-  if (options.count == 1) return {posterFrame(scene.clip, last + 1)};
+  if (options.count == 1) return {scene::posterFrame(scene.clip, last + 1)};
   for (int i = 0; i < options.count; ++i) {
     frames.push_back(std::llround(static_cast<double>(last) * i / (options.count - 1)));
   }

@@ -8,7 +8,7 @@
 #include "base/number_text.h"
 #include "image/png_file.h"
 #include "picture/frame_drawer.h"
-#include "picture/poster.h"
+#include "scene/poster_frame.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
@@ -28,7 +28,7 @@ std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
                          const std::filesystem::path& path, const render::DeviceChoice& device) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::int64_t frame =
-      time ? frameAt(scene, motion, *time) : posterFrame(scene.clip, motion.frameCount());
+      time ? frameAt(scene, motion, *time) : scene::posterFrame(scene.clip, motion.frameCount());
   FrameDrawer drawer(scene, motion, device);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "picture/frame_drawer.h"
-#include "picture/poster.h"
+#include "scene/poster_frame.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
@@ -35,7 +35,7 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
   const timeline::ClipMotion motion = timeline::simulateScene(small);
   FrameDrawer drawer(small, motion, device);
   image::Image picture = drawer.makePicture();
-  drawer.draw(posterFrame(small.clip, motion.frameCount()), picture);
+  drawer.draw(scene::posterFrame(small.clip, motion.frameCount()), picture);
   return picture;
 }
 

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "picture/frame_drawer.h"
 #include "picture/poster.h"
+#include "scene/poster_frame.h"
 #include "store/clip_folder.h"
 #include "store/clip_record.h"
 #include "store/encoding.h"
@@ -219,7 +220,7 @@ class Render {
           timeline::webVtt(scene_, timeline::eventsOf(scene_, motion_), motion_.frameCount()));
     }
     if (!options_.isPart()) {
-      picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
+      picture::writePoster(drawer_, scene::posterFrame(scene_.clip, range_.count()),
                            scene::isTransparent(scene_), result_.files.poster);
     }
     for (const OpenOutput& open : outputs) open.sink->finish();

@@ -69,6 +69,38 @@ TEST(ClipFigure, TellsWhatHappensInCaptionsAndInAList) {
             HasSubstr("<button type=\"button\" data-frame=\"6\">0.25 s: nudge 1<")));
 }
 
+TEST(ClipFigure, HasOfItsMotionsWhatItPlots) {
+  const fs::path folder = emptyFolder();
+  const auto dataOf = [&](const scene::Scene& scene) {
+    makeClip(scene, folder);
+    const std::string text = readFigure(scene, folder).section.text;
+    return text.substr(text.find("class=\"data\""));
+  };
+  EXPECT_THAT(dataOf(smallScene()),
+              AllOf(HasSubstr("\"poster\":6"), Not(HasSubstr("kinetic")), HasSubstr("\"total\":[1"),
+                    ContainsRegex("\"tilt\":\\[[0-9.]{1,6},[0-9.]{1,6},")));
+  EXPECT_THAT(dataOf(smallScene({"clip.poster=0.125", "simulation.model=particles"})),
+              AllOf(HasSubstr("\"poster\":3"), HasSubstr("\"kinetic\":[")));
+}
+
+TEST(ClipFigure, SaysWhetherItsPicturesHaveItsCaption) {
+  const fs::path folder = emptyFolder();
+  const auto captionIn = [&](const std::vector<std::string>& overrides, const Language& say = {}) {
+    makeClip(smallScene(overrides), folder);
+    const std::string text = readFigure(smallScene(overrides), folder, {}, say).section.text;
+    const std::size_t from = text.find("<p class=\"caption");
+    return text.substr(from, text.find('>', from) - from);
+  };
+  const std::string show = "overlay.show=[\"caption\"]";
+  EXPECT_EQ(captionIn({}), "<p class=\"caption\" id=\"small/caption\"");
+  EXPECT_EQ(captionIn({show}), "<p class=\"caption drawn\" id=\"small/caption\"");
+  EXPECT_EQ(captionIn({show, "cue=[{ at = 0.1, text = \"Now\" }]"}),
+            "<p class=\"caption\" id=\"small/caption\"");
+  Language other;
+  other.texts["It's \"small\"."] = "Klein.";
+  EXPECT_EQ(captionIn({show}, other), "<p class=\"caption\" id=\"small/caption\"");
+}
+
 TEST(ClipFigure, DistinguishesExpectedFromMeasured) {
   const fs::path folder = emptyFolder();
   makeClip(smallScene(), folder);

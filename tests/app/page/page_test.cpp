@@ -52,7 +52,7 @@ TEST(Page, FoldsAwayWhatTheStoryFolds) {
   const std::size_t inOverview = text.find(fold);
   const std::size_t inChapter = text.find(fold, inOverview + 1);
   ASSERT_NE(inChapter, text.npos);
-  EXPECT_LT(inOverview, text.find("<span class=\"name\">fige-stiffness</span>"));
+  EXPECT_LT(inOverview, text.find("<span class=\"title\">Title of &lt;fige-stiffness&gt;"));
   EXPECT_LT(text.find("[fig06-undamped]"), inChapter);
   EXPECT_LT(inChapter, text.find("[fige-stiffness]"));
   EXPECT_EQ(text.find(fold, inChapter + 1), text.npos);
@@ -78,8 +78,13 @@ TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {
 TEST(Page, HasThePlaceOfTheLiveBookOnlyWithOne) {
   const Figure figure = figureOf(FigureKind::Clip, "a");
   const std::string text = pageText("A", {figure}, "<canvas></canvas>{{");
-  EXPECT_LT(text.find("<div class=\"live\"><canvas></canvas>{{</div>"), text.find("[a]"));
+  EXPECT_LT(text.find("<div class=\"live\" id=\"page/live\"><canvas></canvas>{{</div>"),
+            text.find("[a]"));
   EXPECT_THAT(pageText("A", {figure}), Not(HasSubstr("class=\"live\"")));
+  const std::vector<Figure> two{figure, figureOf(FigureKind::Clip, "b")};
+  const std::string ofContents = "<a class=\"of-chapter\" href=\"#page/live\">The live book</a>";
+  EXPECT_THAT(pageText("A", two, "<p></p>"), HasSubstr(ofContents));
+  EXPECT_THAT(pageText("A", two), Not(HasSubstr(ofContents)));
 }
 
 TEST(Page, HasNoOverviewOfASingleFigure) {

@@ -14,20 +14,6 @@ namespace {
 using pipeline::testing::bytesOf;
 using pipeline::testing::smallScene;
 
-TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
-  scene::ClipSettings clip;
-  EXPECT_EQ(posterFrame(clip, 12), 6);
-  EXPECT_EQ(posterFrame(clip, 1), 0);
-  clip.poster = 0.05;
-  EXPECT_EQ(posterFrame(clip, 12), 3);
-  clip.poster = 0.055;  // 3.3 frames
-  EXPECT_EQ(posterFrame(clip, 12), 3);
-  clip.poster = 0.06;  // 3.6 frames
-  EXPECT_EQ(posterFrame(clip, 12), 4);
-  clip.poster = 99;
-  EXPECT_EQ(posterFrame(clip, 12), 11);
-}
-
 TEST(Poster, IsThatFrameOfTheClip) {
   const auto folder = pipeline::testing::emptyFolder();
   pipeline::testing::render(smallScene({"clip.poster=0.125"}),

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "scene/poster_frame.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::scene {
@@ -94,6 +95,20 @@ TEST(SceneDeathTest, OfAnotherSizeInAProgramIsRefused) {
       testing::ExitedWithCode(1), "rotatebook was built with a scene::Scene of ");
 }
 #endif
+
+TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
+  ClipSettings clip;
+  EXPECT_EQ(posterFrame(clip, 12), 6);
+  EXPECT_EQ(posterFrame(clip, 1), 0);
+  clip.poster = 0.05;
+  EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 0.055;  // 3.3 frames
+  EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 0.06;  // 3.6 frames
+  EXPECT_EQ(posterFrame(clip, 12), 4);
+  clip.poster = 99;
+  EXPECT_EQ(posterFrame(clip, 12), 11);
+}
 
 }  // namespace
 }  // namespace rotatebook::scene

@@ -17,13 +17,22 @@ const kWindows = {
   phone: {viewport: {width: 390, height: 844}, isMobile: true, hasTouch: true},
 };
 
-/** Expects the figure's top at the window's; the last figure's may be lower, where the page ends. */
+/**
+ * Expects the figure's top at the window's, or below the sentence that leads to it, which is to be seen; the last figure's may be lower, where
+ * the page ends.
+ */
 async function expectLanded(page, id, how) {
   await page.waitForTimeout(kSettled);
   const {y} = await page.locator("#" + id).boundingBox();
   const last = await page.locator("footer").boundingBox();
   const atEnd = last.y + last.height <= page.viewportSize().height + 100;
-  const off = y - kPadding;
+  const sentence = await page.locator("#" + id).evaluate((figure) => {
+    const words = figure.previousElementSibling;
+    if (!words?.matches(".between")) return null;
+    return {top: words.getBoundingClientRect().top + parseFloat(getComputedStyle(words).paddingTop), room: parseFloat(getComputedStyle(figure).scrollMarginTop)};
+  });
+  if (sentence) assert.ok(sentence.top >= 0, `the sentence before #${id} is ${-sentence.top} pixels above the window, ${how}`);
+  const off = y - kPadding - (sentence?.room ?? 0);
   assert.ok(Math.abs(off) <= kMaxOff || (atEnd && off > 0), `#${id} is ${off} pixels off, ${how}`);
 }
 

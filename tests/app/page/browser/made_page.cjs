@@ -75,6 +75,8 @@ angular_velocity = [4.0, 0.0, 0.0]
 [clip]
 size = [160, 90]
 duration = 1
+[overlay]
+show = ["caption"]
 `,
   "matrix-steps.toml": `title = "Two integrators"
 caption = "A study."

@@ -42,7 +42,7 @@ describe("the page", () => {
       return texts;
     });
     assert.deepEqual(said.filter((text) => text in list && !Object.values(list).includes(text)), []);
-    assert.equal(await clip.locator(".time").textContent(), "0,00 s · Bild 0");
+    assert.equal(await clip.locator(".time").textContent(), "0,75 s · Bild 45");
     assert.match(await clip.locator(".curves").first().getAttribute("aria-label"), /^Energie .* von 1 bis \d,\d+$/);
     await clip.locator(".play").click();
     await clip.locator(".play[aria-label=Anhalten]").waitFor();  // Once the video plays.
@@ -67,6 +67,26 @@ describe("the page", () => {
     const {page, close} = await open();
     assert.equal(await page.locator("#turns h2").textContent(), 'A <b>book</b> & "its" turn');
     assert.match(await page.locator("#turns .caption").textContent(), /<script>its<\/script> middle axis &/);
+    await close();
+  });
+
+  test("says a caption that is in the picture once to the eye, and always to readers", async () => {
+    for (const [width, isSeen] of [[1280, false], [390, true]]) {
+      const {page, close} = await open({viewport: {width, height: 800}});
+      const heightOf = async (id) => (await page.locator(`#${id} .caption`).boundingBox()).height;
+      assert.equal(await heightOf("book") > 20, isSeen, `${width} pixels`);
+      assert.ok(await heightOf("turns") > 20, "its picture doesn't say it");
+      assert.match(await page.locator("#book figure").ariaSnapshot(), /A still\./);
+      await close();
+    }
+  });
+
+  test("names files only beside them", async () => {
+    const {page, close} = await open();
+    assert.deepEqual(await page.locator(".links .name").allTextContents(), ["turns", "matrix-steps", "bursts", "recorded-defaults", "pair", "book"]);
+    assert.ok(!(await page.locator("header, .sheet").allTextContents()).join().includes("matrix-steps"));
+    await page.locator("#bursts h2 a").click();
+    assert.equal(new URL(page.url()).hash, "#bursts");
     await close();
   });
 
@@ -100,7 +120,7 @@ describe("the page", () => {
     assert.deepEqual(openOnes, [["turns", true], ["matrix-steps", false], ["pair", true]]);
     assert.equal(await page.locator("#matrix-steps .expectations summary").innerText(), "1 of 1 expectation met");
     assert.ok(await page.locator("#matrix-steps .checks").isHidden());
-    const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector(".name").innerText, one.innerText]));
+    const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector("a").hash.slice(1), one.innerText]));
     assert.deepEqual(ofOverview, [["turns", "1 of 2 expectations met"], ["pair", "1 of 3 expectations met"]]);
     await close();
   });

@@ -117,6 +117,7 @@ describe("the player", () => {
   test("stays within the clip", async () => {
     const {page, close} = await open();
     const clip = await openClip(page, "turns");
+    await clip.locator(".seek").fill("0");
     await clip.locator(".back").click();
     assert.equal(await frameOf(clip), 0);
     await clip.locator(".seek").fill("89");
@@ -163,6 +164,37 @@ describe("the player", () => {
       const motion = (error) => ({label: "", springs: false, kinetic: [1], potential: [0], total: [1], tilt: [0], error: [error]});
       return [[4e-14], [2e-9], [4e-14, 1], [null]].map((errors) => chartsOf({motions: errors.map(motion)}).length);
     }), [2, 3, 3, 3]);
+    await close();
+  });
+
+  test("shows the poster's moment before it plays from the start", async () => {
+    const {page, close} = await open();
+    const clip = await openClip(page, "turns");
+    assert.equal(await frameOf(clip), 45);
+    for (const plot of [0, 1, 2]) {
+      assert.equal(await sampleAtPlayhead(clip, plot), 45);
+      const [head, over] = [await clip.locator(".playhead").nth(plot).boundingBox(), await clip.locator(".u-over").nth(plot).boundingBox()];
+      assert.ok(Math.abs((head.x + head.width / 2 - over.x) / over.width - 45 / 89) < 0.01, `at ${head.x} of ${over.width}`);
+    }
+    await clip.locator(".speed button", {hasText: "¼×"}).click();
+    await clip.locator(".play").click();
+    await page.waitForFunction(() => document.querySelector("#turns video").currentTime > 0 && document.querySelector("#turns .seek").value < 30);
+    await close();
+  });
+
+  test("folds a plot of lines, and says where they are", async () => {
+    const {page, problems, close} = await open({}, {place: "#recorded-defaults"});
+    const plot = page.locator("#recorded-defaults .plots details.plot");
+    assert.deepEqual(await plot.locator("summary").allInnerTexts(), ["Energy as a share of the start’s total: 1 throughout"]);
+    assert.equal(await plot.locator("canvas").count(), 0);
+    await plot.locator("summary").click();
+    await plot.locator("canvas").waitFor();
+    assert.equal(await page.locator("#turns details.plot").count(), 0);
+    const isFolded = (...series) => page.evaluate((all) => isOfLines({from: 1, least: 0.1, series: all.map((values) => ({values}))}), series);
+    assert.ok(await isFolded([1, 1.0009, null], [1, 1]));
+    assert.ok(!await isFolded([1, 1.0011], [1, 1]));
+    assert.ok(await isFolded([null]));
+    assert.deepEqual(problems, []);
     await close();
   });
 

@@ -19,7 +19,7 @@ const kInContents = ["matrix-steps", "bursts", "recorded-defaults", "turns", "pa
 const kWidths = [390, 768, 1280, 1440];
 const kAxe = path.join(process.env.ROTATEBOOK_PLAYWRIGHT, "..", "axe-core", "axe.min.js");
 
-const atTop = (page) => page.evaluate(() => document.elementsFromPoint(innerWidth * 0.6, 60).map((one) => one.closest(".figure")?.id).find(Boolean));
+const atTop = (page) => page.evaluate(() => document.elementsFromPoint(innerWidth * 0.6, 120).map((one) => one.closest(".figure")?.id).find(Boolean));
 
 /** Serves the page's folder, with ranges, and counts the bytes of each file that are asked for. */
 async function serve() {
@@ -56,6 +56,27 @@ describe("the list of contents", () => {
       assert.ok(y >= 0 && y + height <= 801, `from ${y} to ${y + height}`);
       await close();
     }
+  });
+
+  test("has the live book and the overview, too", async () => {
+    for (const [name, parts] of [["index.html", ["#page/overview"]], ["live.html", ["#page/live", "#page/overview"]]]) {
+      const {page, close} = await open({viewport: {width: 390, height: 800}}, {name});
+      const links = await page.locator(".contents .of-chapter").evaluateAll((all) => all.map((link) => link.getAttribute("href")));
+      assert.deepEqual(links.filter((link) => link.startsWith("#page/")), parts);
+      await close();
+    }
+  });
+
+  test("opens at the reader's place where it covers the page", async () => {
+    const {page, close} = await open({viewport: {width: 390, height: 320}}, {place: "#book"});
+    await page.locator(".contents [aria-current][href='#book']").waitFor({state: "attached"});
+    const before = await page.evaluate(() => scrollY);
+    await page.locator(".contents summary").click();
+    await page.waitForFunction(() => document.querySelector(".contents details > ol").scrollTop > 0);
+    const [list, link] = await Promise.all([".contents details > ol", ".contents [aria-current]"].map((one) => page.locator(one).boundingBox()));
+    assert.ok(link.y >= list.y && link.y + link.height <= list.y + list.height, `from ${link.y} in a list from ${list.y}, ${list.height} high`);
+    assert.equal(await page.evaluate(() => scrollY), before);
+    await close();
   });
 
   test("goes to the next and the previous figure, by keys, too", async () => {
@@ -116,7 +137,7 @@ describe("a figure that is folded away", () => {
     await page.locator(".chapter .folded summary").first().scrollIntoViewIfNeeded();
     await page.waitForTimeout(200);
     assert.ok(!await isShown(page));
-    for (const file of ["recorded-defaults.mp4", "recorded-defaults.poster.png"]) assert.ok(!server.sent.has(file), file);
+    for (const file of ["recorded-defaults.mp4", "recorded-defaults.poster.png", "recorded-defaults.thumbnail.png"]) assert.ok(!server.sent.has(file), file);
     await page.locator(".chapter .folded > summary").focus();
     await page.keyboard.press("Enter");
     assert.ok(await isShown(page));

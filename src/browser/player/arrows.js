@@ -70,6 +70,16 @@ class Overlay {
     this.context = context;
     this.book = book;
     this.unit = unit;
+    this.least = [Infinity, Infinity];  // Of the places between which lines are drawn.
+    this.most = [-Infinity, -Infinity];
+  }
+
+  #reach(place) {
+    place?.forEach((part, i) => {
+      this.least[i] = Math.min(this.least[i], part);
+      this.most[i] = Math.max(this.most[i], part);
+    });
+    return place;
   }
 
   path(points) {
@@ -92,7 +102,7 @@ class Overlay {
     context.stroke();
   }
 
-  place(point) { return projected(this.book.matrix, this.book.area, point); }
+  place(point) { return this.#reach(projected(this.book.matrix, this.book.area, point)); }
 
   /** `letter` stands at its tip, if there is one; `width` in units. */
   arrow(from, to, colour, letter, width = 2) {
@@ -196,6 +206,7 @@ class Overlay {
 
   /** The hand's way, while it throws. */
   hand(from, to) {
+    for (const place of [from, to]) this.#reach(place);
     this.context.setLineDash([6 * this.unit, 6 * this.unit]);
     this.stroke([from, to], kColours.omega, 2 * this.unit);
     this.context.setLineDash([]);

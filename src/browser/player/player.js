@@ -41,7 +41,7 @@ class Player {
     this.wanted = null;
     this.simulation = new Simulation(core, (message) => this.announcer.show(refusalOf(message), "bad"));
     this.drawing = new Stage(root, core, materials.pictures, materials.shaders);
-    this.stage = this.drawing.lines;
+    this.stage = this.drawing.picture;
     this.timeline = new Timeline(this.find(".rb-timeline canvas"), this.find(".rb-seek"));
     this.ball = new PolhodeBall(this.find(".rb-ball"));
     const box = new Box(this.find(".rb-question"), this);

@@ -8,6 +8,8 @@ const kStep = 0.8, kLeastQuality = 0.5;
 const kHelps = 0.9;            // Share of the time in which a smaller picture must be there to be worth it.
 const kRest = 30;              // After one that wasn't, judgements without a try.
 const kSettling = 0.5;         // After a throw. [s]
+const kBesideLines = 26;       // Of heads and letters at their ends, in widths of a line.
+const kLinesStep = 64;         // Of the size of the canvas that shows them. [pixels]
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
 /** Divides a picture, into so many `columns` or such that the panels' shorter sides are longest and few are empty. Returns areas [pixels]. */
@@ -60,7 +62,8 @@ class Quality {
 class Stage {
   constructor(root, core, pictures, shaders) {
     this.picture = root.querySelector(".rb-picture");
-    this.lines = root.querySelector(".rb-lines");
+    this.lines = document.createElement("canvas");  // As large as the picture; shown is as much as has lines.
+    this.shown = root.querySelector(".rb-lines");
     this.labels = root.querySelector(".rb-labels");
     this.insets = root.querySelector(".rb-insets");
     this.core = core;
@@ -82,7 +85,11 @@ class Stage {
   get unit() { return this.sharpness * letterSize(); }
 
   #fit(canvas, scale) {
-    const {box} = this, width = Math.max(Math.round(box.width * scale), 2), height = Math.max(Math.round(box.height * scale), 2);
+    const {box} = this;
+    this.#resize(canvas, Math.max(Math.round(box.width * scale), 2), Math.max(Math.round(box.height * scale), 2));
+  }
+
+  #resize(canvas, width, height) {
     if (canvas.width !== width) canvas.width = width;
     if (canvas.height !== height) canvas.height = height;
   }
@@ -148,7 +155,7 @@ class Stage {
     const sharpness = this.lines.width / this.box.width;
     const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));
     shown.axes ||= frame < kNamedFor * state.clock.rate && this.books.length <= kMostBooks;
-    this.books.forEach((book, i) => {
+    const overlays = this.books.map((book, i) => {
       const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
       context.save();
       context.beginPath();
@@ -163,7 +170,23 @@ class Stage {
       overlay.vectors(book.sample, motion, state.scales[i], isHeld ? {axes: shown.axes} : shown);
       if (state.flick) overlay.hand(...state.flick.map((place) => place.map((part) => part * sharpness)));
       context.restore();
+      return overlay;
     });
+    this.#showLines(overlays, isPlain, sharpness);
+  }
+
+  /** Shows the part of the lines' canvas in which there are any: all of it would take its time, as it is put over the picture. */
+  #showLines(overlays, isWhole, sharpness) {
+    const sizes = [this.lines.width, this.lines.height], margin = kBesideLines * this.unit;
+    const within = (place, i) => Math.min(Math.max(Math.floor(place), 0), sizes[i]);
+    const from = sizes.map((_, i) => (isWhole ? 0 : within(Math.min(...overlays.map(({least}) => least[i])) - margin, i)));
+    const to = sizes.map((size, i) => (isWhole ? size : within(Math.max(...overlays.map(({most}) => most[i])) + margin, i)));
+    const [width, height] = to.map((end, i) => Math.max(Math.ceil((end - from[i]) / kLinesStep), 1) * kLinesStep);
+    this.#resize(this.shown, width, height);
+    const context = this.shown.getContext("2d", kOnProcessor);
+    context.clearRect(0, 0, width, height);
+    context.drawImage(this.lines, -from[0], -from[1]);
+    for (const [name, value] of Object.entries({left: from[0], top: from[1], width, height})) this.shown.style[name] = `${value / sharpness}px`;
   }
 
   /** What says why the book turns over. */

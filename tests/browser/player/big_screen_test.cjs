@@ -30,7 +30,7 @@ for (const [name, fileOf] of Object.entries(kPages)) {
     await page.keyboard.press("Escape");
     await isFull(page, false);
     assert.ok(await page.locator(".rb-numbers").first().isVisible());
-    await page.locator(".rb-lines").focus();
+    await page.locator(".rb-picture").focus();
     await page.keyboard.press("f");
     await isFull(page, true);
     await page.keyboard.press("x");
@@ -64,7 +64,7 @@ async function sizesAt(width, height) {
     player.seek(0);
     player.tick(performance.now());
     player.drawing.draw(0, player);
-    const {data} = player.stage.getContext("2d").getImageData(0, 0, player.stage.width, player.stage.height);
+    const {data} = player.drawing.lines.getContext("2d").getImageData(0, 0, player.drawing.lines.width, player.drawing.lines.height);
     let ink = 0;
     for (let at = 3; at < data.length; at += 4) ink += data[at] / 255;
     const sizeOf = (selector) => parseFloat(getComputedStyle(document.querySelector(selector)).fontSize);
@@ -100,12 +100,17 @@ test("the light look: a light wall, and dark lines and letters", async () => {
     copy.drawImage(picture, 0, 0);
     // The wall: at the corners, and near the middle, where it is brightest in the dark.
     const places = [[0.01, 0.01], [0.99, 0.99], [0.35, 0.5], [0.65, 0.3]];
-    return {url: copy.canvas.toDataURL(), wall: places.map(([x, y]) => [...copy.getImageData(x * picture.width, y * picture.height, 1, 1).data])};
+    const pixels = copy.getImageData(0, 0, picture.width, picture.height).data;
+    window.firstPixels ??= pixels;
+    // How far it is from the first one: a rasteriser that makes its code better as it runs rounds otherwise then.
+    const change = pixels.reduce((most, part, i) => Math.max(most, Math.abs(part - firstPixels[i])), 0);
+    return {change, wall: places.map(([x, y]) => [...copy.getImageData(x * picture.width, y * picture.height, 1, 1).data])};
   });
   const dark = await pictureOf();
   await light.click();
   assert.equal(await light.getAttribute("aria-pressed"), "true");
   const bright = await pictureOf();
+  assert.ok(bright.change > 100, `${bright.change}`);
   const colours = playerScripts(["arrows", "record", "core", "live_scene", "polhode_ball", "timeline"], ["kColours", "kBookColours"]);
   const inks = Object.values(colours.kColours).flat().filter((colour) => colour.startsWith("#")).concat(colours.kBookColours);
   const seen = await page.evaluate((all) => {
@@ -132,7 +137,7 @@ test("the light look: a light wall, and dark lines and letters", async () => {
   await page.locator("[data-do=reset]").click();
   await light.click();
   await page.waitForFunction(() => !rotatebook.player.isWaiting);
-  assert.equal((await pictureOf()).url, dark.url);
+  assert.ok((await pictureOf()).change <= 1);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -248,10 +248,10 @@ describe("knobs", () => {
     assert.equal((await sceneOf(page)).simulation.normalize, false);
     await page.evaluate(() => rotatebook.player.seek(180));  // At first the axes are shown in any case.
     for (const [words, overlay] of [["axes of the book", "axes"], ["springs by strain", "springs"], ["outline of the exact book", "ghost"]]) {
-      const before = await page.evaluate(() => rotatebook.player.stage.toDataURL());
+      const before = await page.evaluate(() => rotatebook.player.drawing.lines.toDataURL());
       await page.getByLabel(words).check();
       assert.ok((await sceneOf(page)).overlay.show.includes(overlay));
-      await page.waitForFunction((old) => rotatebook.player.stage.toDataURL() !== old, before);
+      await page.waitForFunction((old) => rotatebook.player.drawing.lines.toDataURL() !== old, before);
     }
     await page.getByLabel("ball of spins").uncheck();
     await page.locator(".rb-ball").waitFor({state: "hidden"});
@@ -315,7 +315,7 @@ describe("keys", () => {
     const {page, close} = await open();
     await page.keyboard.press("z");
     assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [4, 0, 0]);
-    await page.locator(".rb-lines").focus();
+    await page.locator(".rb-picture").focus();
     await page.keyboard.press("z");
     assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
     await page.keyboard.press("Space");

@@ -200,7 +200,7 @@ test("a hand that holds still before it lets go puts the book back into its moti
 
 test("a throw in the past takes the place of later ones", async () => {
   const {page, close} = await open();
-  await page.locator(".rb-lines").focus();
+  await page.locator(".rb-picture").focus();
   for (const frame of [30, 90, 60]) {
     await page.evaluate((to) => rotatebook.player.seek(to), frame);
     await page.keyboard.press("Shift+ArrowRight");
@@ -224,9 +224,9 @@ test("beside the book a drag turns the view, and the motion stays", async () => 
 
 test("a click plays and pauses; jiggle adds a small nudge", async () => {
   const {page, close} = await open();
-  await page.locator(".rb-lines").click();
+  await page.locator(".rb-picture").click();
   await page.waitForFunction(() => rotatebook.player.frame > 10);
-  await page.locator(".rb-lines").click();
+  await page.locator(".rb-picture").click();
   const frame = await frameOf(page);
   await page.locator(".rb-more > summary").click();
   await page.locator("[data-do=jiggle]").click();

@@ -131,7 +131,7 @@ describe("a question", () => {
     await page.waitForTimeout(100);
     const secret = await timeline(page);
     for (const key of ["End", ".", " "]) {
-      await page.locator(".rb-lines").focus();
+      await page.locator(".rb-picture").focus();
       await page.keyboard.press(key);
     }
     assert.equal(await frameOf(page), 0);

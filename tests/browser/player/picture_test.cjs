@@ -114,11 +114,13 @@ test("a book leaves nothing behind where it was", async () => {
   for (const name of ["fig05-unstable-x", "disc-tips"]) {
     const {page, close} = await openScene(name);
     const [left, different] = await page.evaluate(async () => {
+      rotatebook.player.pause();  // Else a busy machine may draw it smaller.
       const {view} = rotatebook.player.drawing, before = await livePixels(2, 0);
       const after = await livePixels(4.2, 0);
       view.ground = null;  // All is drawn anew.
       const anew = await livePixels(4.2, 0);
-      const count = (a, b) => a.reduce((sum, part, i) => sum + (part !== b[i] ? 1 : 0), 0);
+      // A rasteriser that makes its code better as it runs rounds otherwise then: measured 1 at most.
+      const count = (a, b) => a.reduce((sum, part, i) => sum + (Math.abs(part - b[i]) > 1 ? 1 : 0), 0);
       return [count(after, anew), count(before, anew)];
     });
     assert.equal(left, 0, name);

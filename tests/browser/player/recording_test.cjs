@@ -42,7 +42,7 @@ test("is thrown by no button, key or hand", async () => {
   for (const selector of [".rb-throws button", "[data-do=jiggle]", "input[name=rb-model]"]) {
     for (const control of await page.locator(selector).all()) assert.ok(await control.isDisabled(), selector);
   }
-  await page.locator(".rb-lines").focus();
+  await page.locator(".rb-picture").focus();
   for (const key of ["x", "y", "z", "j", "Shift+ArrowLeft"]) await page.keyboard.press(key);
   await page.locator(".rb-ball").focus();
   await page.keyboard.press("ArrowUp");

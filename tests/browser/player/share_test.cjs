@@ -14,7 +14,7 @@ after(closeBrowser);
 /** A scene with a throw, a knob turned, two books and a turned view. */
 async function played(page) {
   await page.locator(".rb-more > summary").click();
-  await page.locator(".rb-lines").focus();
+  await page.locator(".rb-picture").focus();
   await page.evaluate(() => rotatebook.player.seek(50));
   await page.keyboard.press("Shift+ArrowRight");
   await page.keyboard.press("ArrowRight");

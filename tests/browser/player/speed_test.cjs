@@ -3,7 +3,7 @@
 
 const assert = require("node:assert/strict");
 const {test, before, after, describe} = require("node:test");
-const {startBrowser, closeBrowser, open, playerScripts, frameOf, checksumOf} = require("./live_page.cjs");
+const {startBrowser, closeBrowser, open, load, playerScripts, frameOf, checksumOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -131,6 +131,36 @@ test("what is behind a book is drawn once, but where the book is and was", async
   }
   await page.evaluate(() => { rotatebook.player.drawing.view.isLight = true; });
   assert.ok(await drawn(30) >= 1);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("as much of the lines is shown as there are", async () => {
+  const {page, problems, close} = await open();
+  await page.setViewportSize({width: 1280, height: 720});
+  const seen = async (overlays, books = "one") => {
+    assert.ok(await load(page, `[simulation]\nmodel = "particles"\n[initial]\nangular_velocity = [0, 0.5, 7]\n[clip]\nduration = 4\n[overlay]\nshow = [${overlays}]\n`));
+    await page.evaluate((choice) => rotatebook.player.setBooks(choice), books);
+    await checksumOf(page);
+    return page.evaluate(() => {
+      const {player} = rotatebook, {lines, shown} = player.drawing;
+      const ink = (canvas) => canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data.reduce((sum, value, i) => sum + (i % 4 === 3 ? value : 0), 0);
+      player.pause();
+      return [50, 150, 170].map((frame) => {
+        player.drawing.draw(frame, player);
+        return {all: ink(lines), part: ink(shown), share: shown.width * shown.height / (lines.width * lines.height)};
+      });
+    });
+  };
+  const shares = [];
+  for (const [overlays, books] of [['"omega", "momentum", "axes"'], ['"springs", "forces"'], ['"omega", "axes"', "same"]]) {
+    for (const {all, part, share} of await seen(overlays, books)) {
+      assert.ok(all > 1e5, `${all}`);
+      assert.equal(part, all);
+      shares.push(share);
+    }
+  }
+  assert.ok(Math.max(...shares.slice(0, 6)) < 0.6, String(shares));  // Measured 0.44 at most.
   assert.deepEqual(problems, []);
   await close();
 });

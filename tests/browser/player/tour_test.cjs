@@ -137,7 +137,7 @@ test("who leaves has the book as it was", async () => {
   assert.deepEqual(await stateOf(), before);
   assert.equal(await checksumOf(page), checksum);
   assert.equal(await hashOf(page), "");
-  assert.equal(await page.evaluate(() => document.activeElement.className), "rb-lines");
+  assert.equal(await page.evaluate(() => document.activeElement.className), "rb-picture");
   assert.deepEqual(problems, []);
   await close();
 });

@@ -100,7 +100,7 @@ test("while the context is lost the book is drawn plainly; then there is the sam
   await page.waitForFunction(() => document.querySelector(".rb-message").hidden);
   const again = await pictureAt(page, 100);
   assert.equal(again.lack, "");
-  assert.deepEqual(again.pixels, before.pixels);
+  assert.ok(again.pixels.every((part, i) => Math.abs(part - before.pixels[i]) <= 1));  // As in the light look.
   await close();
 });
 

@@ -95,3 +95,23 @@ for (const [width, height] of kSizes) {
     await close();
   });
 }
+
+for (const name of Object.keys(kPages)) {
+  for (const colorScheme of ["light", "dark"]) {
+    test(`the player's round corners are cut from the ${colorScheme} ground of ${name}.html`, async () => {
+      const {page, close} = await open({viewport: {width: 1024, height: 768}, colorScheme}, {file: pathToFileURL(kPages[name]()).href});
+      const {x, y} = await page.locator(".rb-player").boundingBox();
+      // Of the player's corner, and beside it.
+      const shot = (await page.screenshot({clip: {x: Math.round(x) - 4, y: Math.round(y) + 1, width: 6, height: 1}})).toString("base64");
+      const [beside, corner] = await page.evaluate(async (png) => {
+        const image = Object.assign(new Image(), {src: "data:image/png;base64," + png});
+        await image.decode();
+        const context = document.createElement("canvas").getContext("2d");
+        context.drawImage(image, 0, 0);
+        return [1, 5].map((at) => [...context.getImageData(at, 0, 1, 1).data]);
+      }, shot);
+      assert.deepEqual(corner, beside);
+      await close();
+    });
+  }
+}

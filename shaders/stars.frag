@@ -55,12 +55,7 @@ void main() {
     pixel *= kSkyCells / kCells * length(mat3(skyFromPicture)[1]) / length(direction);
     point = onCube(direction);
   }
-  vec3 light = kSky;
-  // The four nearest cells: another's star is 0.65 away or more, thrice the largest radius even in
-  // pictures of 160 pixels.
-  ivec2 cell = ivec2(floor(point - 0.5));
-  for (int y = 0; y <= 1; ++y) {
-    for (int x = 0; x <= 1; ++x) light += star(cell + ivec2(x, y), point, pixel);
-  }
-  colour = vec4(light, 1.0);
+  // A star is 0.15 or more within its cell, where its light ends: 2.5 of its radii in pictures of 520
+  // rows, a pixel in those of 350. To look in four cells took a fifth of a picture's time.
+  colour = vec4(kSky + star(ivec2(floor(point)), point, pixel), 1.0);
 }

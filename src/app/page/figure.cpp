@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
-#include "page/short_scene.h"
+#include "scene/scene_text.h"
 #include "store/clip_files.h"
 
 namespace rotatebook::page {
@@ -128,7 +128,7 @@ Html sceneDetails(const scene::Scene& scene, const Language& say) {
   return filled(
       "<details><summary>{{\"The scene\"}}</summary><pre class=\"scene\" "
       "tabindex=\"0\">{{text}}</pre></details>",
-      {{"text", escaped(shortText(scene))}}, say);
+      {{"text", escaped(briefText(scene))}}, say);
 }
 
 }  // namespace rotatebook::page

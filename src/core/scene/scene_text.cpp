@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
 
@@ -36,17 +37,19 @@ std::vector<std::string_view> openKeys(const Spec& spec) {
 std::string clipText(const Scene& scene, const Printed& printed) {
   const auto sections = motionSections();
   Spec spec = scene;
-  spec.camera.position = scene.cameraPosition;
+  if (!printed.isBrief) spec.camera.position = scene.cameraPosition;
   const bool havePanels = scene.hasPanels() && !scene.grid;
   const Motion& motion = scene.grid ? scene.motion : scene.motions.front();
   std::string text = linesOf(titleKeys(), spec, printed);
   const std::vector<std::string_view> open = openKeys(spec);
-  if (!havePanels) text += textOf(sections.first(2), motion, {printed.ofMotion, open});
+  if (!havePanels)
+    text += textOf(sections.first(2), motion, {printed.ofMotion, printed.isBrief, open});
   if (!spec.clip.speed) {
     if (havePanels) text += "\n[simulation]\n";
     text += timePerFrameLine(motion.simulation, printed);
   }
   if (!havePanels) text += textOf(sections.subspan(2, 2), motion, printed);  // [initial], [[nudge]]
+  if (printed.isBrief && spec.clip.speed == PlaybackSpeed{}) spec.clip.speed.reset();
   text += textOf(pictureSections(), spec, printed);
   text +=
       havePanels ? panelsText(scene.motions, printed) : textOf(sections.last(1), motion, printed);
@@ -57,7 +60,20 @@ std::string clipText(const Scene& scene, const Printed& printed) {
 
 std::string sceneText(const Scene& scene) {
   requireSameLayout();
-  return clipText(scene, {}) + studyText(scene) + mapText(scene, {});
+  return clipText(scene, {}) + studyText(scene, {}) + mapText(scene, {});
+}
+
+std::string briefText(const Scene& scene) {
+  constexpr Printed kBrief{.isBrief = true};
+  const std::string whole = sceneText(scene);
+  const std::string text =
+      clipText(scene, kBrief) + studyText(scene, kBrief) + mapText(scene, kBrief);
+  // Only the whole text may say the same if a default follows from other keys.
+  try {
+    return sceneText(parseScene(text, scene.name + ".toml")) == whole ? text : whole;
+  } catch (const InputError&) {
+    return whole;
+  }
 }
 
 std::string motionText(const Scene& scene) {
@@ -65,7 +81,7 @@ std::string motionText(const Scene& scene) {
 }
 
 std::string studyRunsText(const Scene& scene) {
-  return motionText(scene) + studyText(scene);
+  return motionText(scene) + studyText(scene, {});
 }
 
 std::string mapRunsText(Scene scene) {

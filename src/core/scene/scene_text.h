@@ -29,6 +29,10 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
 /// Returns the scene as TOML with every default explicit. Reading it back gives an equal scene.
 std::string sceneText(const Scene& scene);
 
+/// Returns that text without comments, and without what is so by default: as one would write it.
+/// Reading it back gives an equal scene, too.
+std::string briefText(const Scene& scene);
+
 /// Returns the part of that text that the clip's motions depend on: all keys but those whose rows
 /// say that they affect pictures or texts alone. The same text is of the same motions.
 std::string motionText(const Scene& scene);

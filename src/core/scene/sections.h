@@ -59,7 +59,7 @@ std::vector<StudyRun> readRuns(const ValueReader& file, const Spec& spec);
 /// have too many samples, or too few.
 void checkRuns(const Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
-std::string studyText(const Spec& spec);
+std::string studyText(const Spec& spec, const Printed& printed);
 
 /// Reads `section`, [map], of a scene with these motions. Throws InputError.
 MapSettings readMap(const ValueReader& section, const std::vector<Panel>& motions);

@@ -177,9 +177,8 @@ void checkRuns(const Scene& scene) {
   checkSamples(scene);
 }
 
-std::string studyText(const Spec& spec) {
-  if (!spec.study) return "";
-  return "\n[study]\n" + linesOf(studyKeys(), *spec.study);
+std::string studyText(const Spec& spec, const Printed& printed) {
+  return spec.study ? "\n[study]\n" + linesOf(studyKeys(), *spec.study, printed) : "";
 }
 
 }  // namespace rotatebook::scene

@@ -135,6 +135,18 @@ test("what is behind a book is drawn once, but where the book is and was", async
   await close();
 });
 
+test("no part of the live book is clipped to a polygon, for which Chromium composes windows at half the rate", async () => {
+  const {page, problems, close} = await open();
+  const clipped = () => page.evaluate(() => [...document.querySelectorAll(".rb-live *")]
+    .filter((each) => getComputedStyle(each).clipPath.startsWith("polygon")).map((each) => each.className));
+  for (const command of ["start", "pause"]) {
+    await page.evaluate((name) => rotatebook.player[name](), command);
+    assert.deepEqual(await clipped(), [], command);
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("as much of the lines is shown as there are", async () => {
   const {page, problems, close} = await open();
   await page.setViewportSize({width: 1280, height: 720});

@@ -281,9 +281,9 @@ TEST(ArrowLabels, OfTheFiguresMeetNothing) {
   for (const Shown& one : {Shown{"figures/fig03-stable-z", 756},            // measured 756
                            Shown{"figures/fig04-stable-y", 756},            // measured 756
                            Shown{"figures/fig05-unstable-x", 350},          // measured 364
-                           Shown{"figures/fig05b-rounding-only", 1000},     // measured 1057
+                           Shown{"figures/fig05b-rounding-only", 920},      // measured 957
                            Shown{"figures/fig09-matrix", 340},              // measured 355
-                           Shown{"figures/fig09b-matrix-large-step", 400},  // measured 424
+                           Shown{"figures/fig09b-matrix-large-step", 250},  // measured 260
                            Shown{"figures/figa-exact", 480},                // measured 509
                            Shown{"comparisons/axes", 0}}) {
     const scene::Scene whole = scene::shippedScene(one.name);

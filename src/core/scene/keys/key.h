@@ -112,6 +112,7 @@ std::string commentOf(const KeyText& key, const ValueForm& form);
 /// The keys that are printed.
 struct Printed {
   bool ofMotion = false;  ///< Only keys that affect the motion, without comments.
+  bool isBrief = false;   ///< Only keys that aren't as by default, without comments.
   std::span<const std::string_view> leftOut{};  ///< The names of keys that aren't.
 
   bool has(std::string_view key, Affects affects) const {
@@ -125,9 +126,13 @@ std::string lineOf(const Key<S>& key, const std::type_identity_t<S>& from,
                    const Printed& printed = {}) {
   if (!printed.has(key.name, key.documentation.affects)) return "";
   const std::string text = key.text(from);
-  if (text.empty()) return "";
+  const bool isRequired = key.documentation.byDefault.starts_with("required");
+  if (text.empty() || (printed.isBrief && !isRequired && text == key.text(S{}))) return "";
+  // The integrator's text has its choices, which depend on the model, as a comment.
+  const std::string line = std::string(key.name) + " = " + text;
+  if (printed.isBrief) return line.substr(0, line.find("  # ")) + "\n";
   const std::string comment = printed.ofMotion ? "" : commentOf(key.documentation, key.form);
-  return std::string(key.name) + " = " + text + (comment.empty() ? "" : "  # " + comment) + "\n";
+  return line + (comment.empty() ? "" : "  # " + comment) + "\n";
 }
 
 /// Returns the lines of the keys.

@@ -86,6 +86,8 @@ async function beginLiveBook(root, data) {
   document.addEventListener("visibilitychange", () => player.clock.go(player.clock.position));
   new ResizeObserver(() => player.redraw()).observe(player.stage);
   new IntersectionObserver((changes) => { player.isSeen = changes.at(-1).isIntersecting; }).observe(player.stage);
+  // A clip that begins beside it has the processor to itself: both together drop pictures where no graphics card draws.
+  document.addEventListener("play", () => { if (player.isSeen) player.pause(); }, true);
   window.rotatebook = {
     /**
      * Plays a scene's text, beside which its clip's record states the checksum `motion`, if any; `origin`: as of Loaded.take(). Returns whether

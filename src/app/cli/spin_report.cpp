@@ -119,10 +119,8 @@ std::vector<Line> linesOn(const SpinNumbers& numbers) {
     lines.push_back({"regime", fmt::format("the angular momentum L circles {}, {}", circled,
                                            kAxes[circledAxis(spin)])});
     if (const auto flips = spin.flipInterval()) {
-      const std::string every = fmt::format("every {} s", text(*flips));
-      lines.push_back({"flips", spin.firstFlip ? fmt::format("first at {} s, then {}",
-                                                             text(*spin.firstFlip), every)
-                                               : every});
+      lines.push_back({"flips", fmt::format("first at {} s, then every {} s", text(*spin.firstFlip),
+                                            text(*flips))});
     }
     lines.push_back({"period", text(period.time) + " s, of the angular velocity in the body"});
     lines.push_back({"turn", fmt::format("{} degrees about L in a period, {} rad/s",

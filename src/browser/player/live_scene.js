@@ -117,7 +117,8 @@ class LiveScene {
 
   withStartAbout(book, axis) {
     const tilt = this.value(book, "initial", "tilt")?.[0] || kStartTilt;
-    const velocity = kAxes.map((name) => (name === axis ? this.speedAtStart(book) : 0));
+    const speed = Math.max(this.speedAtStart(book), kStartSpeed);  // Not as limp as the hand's last throw may have been.
+    const velocity = kAxes.map((name) => (name === axis ? speed : 0));
     return this.withoutNudges(this.withStart(book, {angular_velocity: velocity, tilt: [tilt, kTiltToward[axis]]}), book);
   }
 

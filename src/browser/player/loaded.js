@@ -10,6 +10,7 @@ class Loaded {
   /** `record`: as of Player.load(); `origin`: {title, address} of the figure whose scene it is. */
   take(text, record, origin) { Object.assign(this, {text, record, origin}); }
 
+  get isOpening() { return this.text === kOpening && this.isAsItWas; }
   get isAsItWas() { return this.player.scene.text === this.text && !this.player.isViewMoved; }
 
   /** Shows the title, but of the opening scene, which the page tells of, and the way back. */

@@ -1,6 +1,7 @@
 // The hand on the picture: throws the book, turns the view, draws near.
 
 const kTap = 6;            // A shorter way is a tap. [CSS pixels]
+const kTapTime = 400;      // A longer one holds the book. [ms]
 const kThrowTime = 120;    // The last part of the way, whose speed counts. [ms]
 const kOrbitStep = 0.12;   // Of a key. [rad]
 const kThrowStep = 1;      // Of a key. [rad/s]
@@ -40,7 +41,7 @@ class Pointer {
     const place = this.#place(event);
     this.touching.set(event.pointerId, place);
     this.player.hand.putBack();  // Two fingers draw near.
-    this.start = this.touching.size === 1 ? {place, isOnBook: this.player.isOnBook(place)} : null;
+    this.start = this.touching.size === 1 ? {place, time: event.timeStamp, isOnBook: this.player.isOnBook(place)} : null;
     this.way = [[event.timeStamp, ...place]];
     this.view = {...this.player.orbit};
     if (this.start?.isOnBook && !event.shiftKey && this.player.canHold()) this.start.isHeld = this.player.hand.hold(place, event.timeStamp);
@@ -68,15 +69,16 @@ class Pointer {
 
   #release(event) {
     const {start} = this, place = this.#place(event), before = this.touching.get(event.pointerId) ?? place;
-    const isTap = start && Math.hypot(place[0] - start.place[0], place[1] - start.place[1]) < kTap;
-    if (start?.isHeld && !isTap) {
+    const isStill = start && Math.hypot(place[0] - start.place[0], place[1] - start.place[1]) < kTap;
+    const isTap = isStill && event.timeStamp - start.time < kTapTime;
+    if (start?.isHeld && !isStill) {
       // Browsers may leave the last part of the way out.
       if (place[0] !== before[0] || place[1] !== before[1]) this.player.hand.move(place, [place[0] - before[0], place[1] - before[1]], event.timeStamp);
       this.player.hand.letGo(event.timeStamp);
     }
     this.#end(event);
     if (isTap) this.player.tap(place);
-    else if (start?.isOnBook && !start.isHeld) this.#add(event.timeStamp, place);
+    else if (start?.isOnBook && !start.isHeld && !isStill) this.#add(event.timeStamp, place);
   }
 
   /** The browser took the way for scrolling. */
@@ -94,8 +96,9 @@ class Pointer {
 
   /** Adds to the book's spin, as if the hand held its surface until it let go. */
   #add(now, place) {
-    const first = this.way.find(([time]) => now - time <= kThrowTime);
-    if (!first) return;  // The hand held still before it let go.
+    const at = this.way.findIndex(([time]) => now - time <= kThrowTime);
+    if (at < 0) return;  // The hand held still before it let go.
+    const first = this.way[Math.max(at - 1, 0)];
     const passed = Math.max(now - first[0], 16) / 1000, radius = this.player.bookRadius(place);
     const rate = (way) => Math.max(Math.min(way / passed / radius, kFastest), -kFastest);
     this.player.throwBook(rate(place[1] - first[2]), rate(place[0] - first[1]));

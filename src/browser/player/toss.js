@@ -73,7 +73,7 @@ class Toss {
   /** Safari on iOS, and the W3C's text, have a question; other browsers don't ask. */
   async #ask() {
     const answer = await DeviceMotionEvent.requestPermission?.().catch(() => "denied");
-    if (answer && answer !== "granted") throw new TossError(say("The sensors may not be read: permission refused."));
+    if (answer && answer !== "granted") throw new TossError(`${say("The sensors may not be read: permission refused.")} ${kByPhyphox}`);
   }
 
   async #countDown(readings) {

@@ -141,9 +141,7 @@ std::optional<double> firstFlipOf(physics::MotionSettings settings, double perio
 }  // namespace
 
 std::optional<double> Spin::flipInterval() const {
-  const std::size_t circled = regime == Regime::AboutLargest ? 2 : 0;
-  if (!period || equal != EqualMoments::None || spunAxis == circled) return std::nullopt;
-  return period->time / 2;
+  return firstFlip ? std::optional(period->time / 2) : std::nullopt;
 }
 
 Spin spinOf(const physics::MotionSettings& settings) {
@@ -165,7 +163,9 @@ Spin spinOf(const physics::MotionSettings& settings) {
   setSpunAxis(sorted, spin);
   spin.period = periodOf(inertia, along, sorted, spin.regime);
   if (spin.equal == EqualMoments::None) setMargin(sorted, spin);
-  if (spin.flipInterval()) spin.firstFlip = firstFlipOf(settings, spin.period->time);
+  const std::size_t circled = spin.regime == Regime::AboutLargest ? 2 : 0;
+  if (spin.period && spin.equal == EqualMoments::None && spin.spunAxis != circled)
+    spin.firstFlip = firstFlipOf(settings, spin.period->time);
   return spin;
 }
 

@@ -57,12 +57,12 @@ struct Spin {
   /// Angle from the angular velocity to the nearest one on the separatrix; with margin. [rad]
   std::optional<double> toSeparatrix{};
 
-  /// Time at which the spun axis has turned over first, as half-turns are counted: its angle to L,
-  /// which began under 60 degrees, passes 120; only with flipInterval(). [s]
+  /// Time at which the spun axis has turned over first, as half-turns are counted: its angle to L
+  /// passes 120 degrees. None if L circles that axis, if moments are equal, or if it never comes so
+  /// far, as where the spin is nearly as fast about another axis. [s]
   std::optional<double> firstFlip{};
 
-  /// Returns the time between flips, half the period, of a body that flips: its spun axis isn't the
-  /// one that L circles, and no moments are equal. [s]
+  /// Returns the time between flips, half the period, of a body that flips: with firstFlip. [s]
   std::optional<double> flipInterval() const;
 };
 

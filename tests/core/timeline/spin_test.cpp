@@ -197,6 +197,18 @@ TEST(Spin, FlipsFirstWhenTheExactMotionDoes) {
   EXPECT_EQ(trajectory.samples[2].halfTurns, 1);
 }
 
+// L circles another axis than the spun one, which never comes to the other side.
+TEST(Spin, OfTwoAxesAlikeDoesNotFlip) {
+  MotionSettings settings = bookWith("angular_velocity = [1.2, 6.6, 6.5]");
+  settings.simulation.model = physics::Model::Exact;
+  const Spin spin = spinOf(settings);
+  EXPECT_TRUE(spin.period);
+  EXPECT_FALSE(spin.flipInterval() || spin.firstFlip);
+  std::vector<double> times(20 * 60);
+  for (std::size_t i = 0; i < times.size(); ++i) times[i] = static_cast<double>(i) / 60;
+  EXPECT_EQ(physics::simulate(settings, times).samples.back().halfTurns, 0);
+}
+
 // The axis of a flat plate goes round twice while the plate turns once. (Feynman)
 TEST(Spin, OfASymmetricBodyHasTheTextbooksPrecession) {
   const Spin flat = spinOf(motionOf({1, 1, 2}, {0.01, 0, 5}));

@@ -43,10 +43,6 @@ std::string axisText(const Spin& spin, std::size_t axis) {
   return "(" + joinedOf(std::array{along.x(), along.y(), along.z()}, text) + ")";
 }
 
-std::size_t circledAxis(const Spin& spin) {
-  return spin.regime == Regime::AboutLargest ? 2 : 0;
-}
-
 std::string spinText(const Spin& spin) {
   const double speed = spin.angularVelocity.norm();
   std::string line =
@@ -114,10 +110,10 @@ std::vector<Line> linesOn(const SpinNumbers& numbers) {
   std::vector<Line> lines{{"spin", spinText(spin)}};
   if (spin.growth || spin.oscillation) lines.push_back({"stability", stabilityText(numbers)});
   if (spin.period) {
-    const std::string circled = axisText(spin, circledAxis(spin));
+    const std::string circled = axisText(spin, spin.circledAxis());
     const SpinPeriod& period = *spin.period;
     lines.push_back({"regime", fmt::format("the angular momentum L circles {}, {}", circled,
-                                           kAxes[circledAxis(spin)])});
+                                           kAxes[spin.circledAxis()])});
     if (const auto flips = spin.flipInterval()) {
       lines.push_back({"flips", fmt::format("first at {} s, then every {} s", text(*spin.firstFlip),
                                             text(*flips))});

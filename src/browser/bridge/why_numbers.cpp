@@ -127,12 +127,11 @@ std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion
 std::string spinJson(const scene::Motion& motion) {
   const timeline::Spin spin = timeline::spinOf(motion);
   const std::array<const char*, 3> moments{"smallest", "middle", "largest"};
-  const std::size_t circled = spin.regime == rigid::Regime::AboutLargest ? 2 : 0;
   return JsonObject()
       .addNumber("speed", spin.angularVelocity.norm())
       .addString("axis", moments[spin.spunAxis])
       .addNumber("offAxis", spin.offAxis * kDegrees)
-      .addString("circled", moments[circled])
+      .addString("circled", moments[spin.circledAxis()])
       .addBool("isSteady", spin.isSteady)
       .addBool("hasEqualMoments", spin.equal != timeline::EqualMoments::None)
       .addNumberOrNull("flipInterval", spin.flipInterval())

@@ -163,8 +163,7 @@ Spin spinOf(const physics::MotionSettings& settings) {
   setSpunAxis(sorted, spin);
   spin.period = periodOf(inertia, along, sorted, spin.regime);
   if (spin.equal == EqualMoments::None) setMargin(sorted, spin);
-  const std::size_t circled = spin.regime == Regime::AboutLargest ? 2 : 0;
-  if (spin.period && spin.equal == EqualMoments::None && spin.spunAxis != circled)
+  if (spin.period && spin.equal == EqualMoments::None && spin.spunAxis != spin.circledAxis())
     spin.firstFlip = firstFlipOf(settings, spin.period->time);
   return spin;
 }

@@ -62,6 +62,8 @@ struct Spin {
   /// far, as where the spin is nearly as fast about another axis. [s]
   std::optional<double> firstFlip{};
 
+  /// Returns the number of the axis that L circles.
+  std::size_t circledAxis() const { return regime == rigid::Regime::AboutLargest ? 2 : 0; }
   /// Returns the time between flips, half the period, of a body that flips: with firstFlip. [s]
   std::optional<double> flipInterval() const;
 };

@@ -1,7 +1,5 @@
 #include "overlay/drawn_overlay.h"
 
-#include <algorithm>
-
 namespace rotatebook::overlay {
 
 std::unique_ptr<DrawnOverlay> makeOverlay(scene::Overlay overlay, const OverlayContext& context,

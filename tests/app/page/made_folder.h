@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "image/png_file.h"
+#include "page/figure.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
@@ -75,6 +77,16 @@ inline void makeClip(const scene::Scene& scene, const std::filesystem::path& fol
   store::writeTables(store::csvFiles(files.csv, scene), scene, motion);
   store::writeResult(files.json, scene, motion, timeline::summarize(scene, motion),
                      timeline::motionChecksum(motion));
+}
+
+/// Returns why the folder has no figure of the scene; "no error" if it has.
+inline std::string messageOf(const scene::Scene& scene, const std::filesystem::path& folder) {
+  try {
+    readFigure(scene, folder);
+    return "no error";
+  } catch (const InputError& error) {
+    return error.what();
+  }
 }
 
 }  // namespace rotatebook::page::testing

@@ -228,5 +228,11 @@ TEST(BriefText, OfAllShippedScenesHasNoCommentAndReadsBackEqual) {
   EXPECT_LT(10 * size, 4 * whole) << size << " of " << whole << " bytes";
 }
 
+TEST(BriefText, IsTheWholeTextIfWordsLookLikeAComment) {
+  const Scene scene =
+      parseScene("title = \"A  # B\"\n[initial]\nangular_velocity = [5, 3, 1]\n", "small.toml");
+  EXPECT_EQ(briefText(scene), sceneText(scene));
+}
+
 }  // namespace
 }  // namespace rotatebook::scene

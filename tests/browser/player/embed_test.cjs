@@ -52,6 +52,49 @@ for (const [name, fileOf] of Object.entries(kPages)) {
   });
 }
 
+/** Where the book and the controls are, and how large the book is, over the first turns; all in the frame's pixels. */
+const seenIn = (page) => page.evaluate(() => {
+  const {player} = rotatebook, {drawing} = player, names = [".rb-stage", ".rb-throws", ".rb-views", ".rb-transport", ".rb-timeline", ".rb-play", ".rb-whole"];
+  const boxOf = (element) => (({left, top, right, bottom}) => [left, top, right, bottom])(element.getBoundingClientRect());
+  const boxes = Object.fromEntries(names.map((name) => [name, boxOf(document.querySelector(name))])), scale = drawing.picture.width / drawing.box.width;
+  const books = Array.from({length: 40}, (_, i) => {
+    drawing.draw(15 * i, player);
+    const {x, y, width, height} = drawing.view.boxes[0];
+    return [x, y, x + width, y + height].map((part) => part / scale);
+  });
+  const radius = drawing.bookRadius(drawing.middleOfBook(0)), blank = boxes[".rb-transport"][1] - boxes[".rb-stage"][3];
+  const hit = [".rb-play", ".rb-seek", ".rb-whole"].filter((name) => {
+    const element = document.querySelector(name), [left, top, right, bottom] = boxOf(element);
+    return document.elementFromPoint((left + right) / 2, (top + bottom) / 2)?.closest(name) === element;
+  });
+  return {boxes, books, radius, blank, hit};
+});
+
+const isOver = ([left, top, right, bottom], [x, y, end, low]) => left < end && x < right && top < low && y < bottom;
+
+for (const [width, height] of [[960, 600], [640, 400], [480, 320], [320, 240], [960, 300]]) {
+  test(`a frame of ${width} x ${height} shows the whole book, and what it is played with`, async () => {
+    const {page, problems, close} = await open({viewport: {width, height}}, {hash: "#embed"});
+    await page.waitForFunction(() => rotatebook.player.simulated > 600);
+    const {boxes, books, radius, blank, hit} = await seenIn(page);
+    await page.screenshot({path: path.join(kOutput, `embed-${width}x${height}.png`)});
+    assert.deepEqual([boxes[".rb-transport"][3], blank, hit], [height, 0, [".rb-play", ".rb-seek", ".rb-whole"]]);
+    const share = radius / Math.min(width, height);
+    console.log(`${width} x ${height}: half the book is ${share.toFixed(3)} of the shorter side`);
+    assert.ok(share > 0.33, `${share}`);  // Measured 0.347 to 0.398; with the layout of phones 0.083 to 0.198 in those less than 640 wide.
+    for (const book of books) {
+      assert.ok(book[0] > 0 && book[1] > 0 && book[2] < width && book[3] < boxes[".rb-stage"][3], `${book} is cut off`);
+      if (height < 480) assert.ok(!isOver(book, boxes[".rb-throws"]) && !isOver(book, boxes[".rb-views"]), `${book} is under buttons`);
+    }
+    assert.ok(boxes[".rb-timeline"][2] - boxes[".rb-timeline"][0] > 100);
+    assert.equal(await page.getByRole("button", {name: "head over heels"}).count(), 1);
+    assert.equal(await page.getByRole("button", {name: /^(Play|Pause)$/}).count(), 1);
+    assert.deepEqual(await violations(page), []);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
 test("the line to copy is a frame of what is played", async () => {
   const {page, problems, close} = await open({permissions: ["clipboard-read", "clipboard-write"]});
   await page.locator(".rb-throws [data-axis=y]").click();

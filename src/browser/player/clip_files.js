@@ -143,8 +143,10 @@ class VideoFile {
 }
 
 class PictureFile {
-  constructor(canvas, record) {
+  /** `first`: the number of the first picture, as in the whole clip. */
+  constructor(canvas, record, first) {
     this.canvas = canvas;
+    this.first = first;
     this.ending = "zip";
     this.kind = "PNG";
     this.zip = new StoredZip();
@@ -156,7 +158,7 @@ class PictureFile {
   async add(frame) {
     const blob = await new Promise((resolve) => { this.canvas.toBlob(resolve, "image/png"); });
     if (!blob) throw new ClipError(say("The browser can’t write a picture of this size."));
-    this.zip.add(`frame_${String(frame).padStart(5, "0")}.png`, new Uint8Array(await blob.arrayBuffer()));
+    this.zip.add(`frame_${String(this.first + frame).padStart(5, "0")}.png`, new Uint8Array(await blob.arrayBuffer()));
   }
 
   async finish() { return this.zip.finish(); }

@@ -74,7 +74,7 @@ class Files {
     const proof = await proveClip(this.player.core, file, tell, isWanted);
     if (!proof || !isWanted()) return;
     // Nothing that was done meanwhile is lost.
-    const isPlayed = this.player.edits === edits && this.player.load(proof.record.text, {record: proof.record, isPlaying: this.player.mayMove});
+    const isPlayed = this.player.edits === edits && this.player.load(proof.record.text, {record: proof.record, frame: parseInt(proof.record.frames) || 0, isPlaying: this.player.mayMove});
     const aside = isPlayed ? "" : " " + say("You went on meanwhile, so it isn’t played; drop it again to play it.");
     this.player.announcer.show(proof.words + aside, proof.isProved ? "good" : "bad");
   }

@@ -3,6 +3,7 @@
 const kClipName = "live-book";
 const kNoHand = {held: null, seen: (book, sample) => sample};  // Nobody holds a book in a clip.
 const kLargestClip = [1920, 1080];  // [pixels]
+const kFirstGuess = 20;             // Pictures, from which on the time left is said.
 
 /** Lets the page draw and answer, in a tab that is hidden, too, whose timers are slow. */
 const gap = () => new Promise((resolve) => {
@@ -20,12 +21,23 @@ function savedSize([width, height]) {
   return [width, height].map((side) => Math.max(2 * Math.round(share * side / 2), 16));
 }
 
-/** Returns the record of a clip whose pictures are this browser's, as the program writes records. */
-function recordOfClip(version, motion, text, kind) {
+/** Says the time that is left, rounded to 10 s or to minutes; what was said stays until it is clearly off. */
+class TimeLeft {
+  /** Returns the words when n of all pictures took so long [s]; empty as long as that is too early to say. */
+  wordsAt(n, all, passed) {
+    if (n < kFirstGuess) return "";
+    const left = passed * (all / n - 1), step = left < 105 ? 10 : 60;
+    if (this.said === undefined || Math.abs(left - this.said) > 0.75 * step) this.said = Math.max(step * Math.round(left / step), step);
+    return this.said < 120 ? `${this.said} s` : `${this.said / 60} min`;
+  }
+}
+
+/** Returns the record of a clip, or of its frames in `part`, whose pictures are this browser's, as the program writes records. */
+function recordOfClip({version, motion, text, part}, kind) {
   const [, name = "unknown", number = ""] = /(Firefox|Edg|Chrome|Version)\/(\d+)/.exec(navigator.userAgent) ?? [];
   const browser = {Edg: "Edge", Version: "Safari"}[name] ?? name;
   return `# Made by rotatebook ${version} from the scene ${kClipName}\n# Renderer: ${kBrowserRenderer}${browser} ${number}, WebGL 2, ${kind}\n` +
-    `# Motion: ${motion}\n\n${text}`;
+    `# Motion: ${motion}\n${part ? `# Frames: ${part}\n` : ""}\n${text}`;
 }
 
 /** Returns the core with the clip's motion, in the slot for proofs, in place of what is played; `ghosts`: its ghost's samples by motion and frame. */
@@ -45,6 +57,7 @@ class ClipSaver {
     this.player = player;
     this.row = root.querySelector(".rb-saving");
     this.button = root.querySelector("[data-do=clip]");
+    this.length = root.querySelector(".rb-length");
     this.job = null;
   }
 
@@ -83,16 +96,17 @@ class ClipSaver {
   async #save(job) {
     const clip = await this.#simulate(job);
     if (!clip) return;
-    const {core, materials} = this.player, {size, frames} = clip;
+    const {core, materials} = this.player, {size, first, frames} = clip, left = new TimeLeft();
     const picture = job.picture = new ClipPicture(coreOfClip(core, clip.ghosts), materials, size, clip.state);
-    picture.draw(0);
+    picture.draw(first);
     const file = job.file = await fileFor(picture.canvas, clip, materials.muxer);
     await file.start();
-    for (let frame = 0; frame < frames; ++frame) {
-      picture.draw(frame);
-      await file.add(frame);
-      const share = (frame + 1) / frames;
-      this.#show(share, say("Picture {n} of {all}, {percent} %", {n: frame + 1, all: frames, percent: Math.floor(100 * share)}));
+    const start = performance.now();
+    for (let n = 1; n <= frames; ++n) {
+      picture.draw(first + n - 1);
+      await file.add(n - 1);
+      const time = left.wordsAt(n, frames, (performance.now() - start) / 1000), numbers = {n, all: frames, time};
+      this.#show(n / frames, time ? say("Picture {n} of {all}, about {time} left", numbers) : say("Picture {n} of {all}", numbers));
       await gap();
       if (!job.isWanted()) return;
     }
@@ -103,9 +117,15 @@ class ClipSaver {
       {name, frames, width: size[0], height: size[1], kind: file.kind});
   }
 
+  /** Returns the first of the frames to save, of `all`, and how many: those from `shown` on, or the last ones if they are too few. */
+  #partOf(all, shown, rate) {
+    const frames = Math.min(all, Math.round(Number(this.length.value) * rate)), first = Math.min(shown, all - frames);
+    return {first, frames, part: frames < all ? `${first}:${first + frames}` : ""};
+  }
+
   /** Simulates the clip in the slot for proofs, and what its ghost does before; null once it isn't wanted. */
   async #simulate({isWanted}) {
-    const {player} = this, {core} = player, {ghostText} = player.simulation, book = player.book;
+    const {player} = this, {core, frame: shown} = player, {ghostText} = player.simulation, book = player.book;
     const orbit = player.canShareView ? {right: 0, up: 0, distance: 1} : {...player.orbit};
     const tree = core.treeOf(player.sharedText());
     const size = savedSize(player.scene.explicit.clip.size);
@@ -117,9 +137,9 @@ class ClipSaver {
     const read = core.read(kProof, text);
     if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
     const whole = core.sceneText(kProof), scene = new LiveScene(tree, core.treeOf(whole), text, core.words);
-    const frames = core.frames(kProof), clock = {isPlaying: false, rate: read.rate[0] / read.rate[1]}, simulation = {ghostFrames: ghosts[0]?.length ?? 0};
+    const frames = core.frames(kProof), rate = read.rate[0] / read.rate[1], clock = {isPlaying: false, rate}, simulation = {ghostFrames: ghosts[0]?.length ?? 0};
     const state = {frames, clock, scene, read, orbit, book, simulation, hand: kNoHand, scales: scalesAtStart(core, kProof, read.motions)};
-    return {size, ghosts, frames, state, text: whole, title: scene.explicit.title ?? "", rate: read.rate, motion: core.checksum(kProof), version: core.words.version};
+    return {size, ghosts, ...this.#partOf(frames, shown, rate), state, text: whole, title: scene.explicit.title ?? "", rate: read.rate, motion: core.checksum(kProof), version: core.words.version};
   }
 }
 
@@ -132,9 +152,9 @@ async function ghostSamples(core, text, progress, isWanted) {
 
 /** Returns the file that this browser can make of a clip. */
 async function fileFor(canvas, clip, packedMuxer) {
-  const {rate, title, version, motion, text} = clip, record = (kind) => recordOfClip(version, motion, text, kind);
+  const {rate, title, first} = clip, record = (kind) => recordOfClip(clip, kind);
   const choice = await codecFor(canvas, rate[0] / rate[1]);
-  if (!choice) return new PictureFile(canvas, record("PNG"));
+  if (!choice) return new PictureFile(canvas, record("PNG"), first);
   const comment = record(choice.codec.name);
   return new VideoFile(canvas, choice, rate, title ? {title, comment} : {comment}, await muxerOf(packedMuxer));
 }

@@ -5,7 +5,7 @@ const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const path = require("node:path");
 const {test, before, after} = require("node:test");
-const {kOutput, kTurns, startBrowser, closeBrowser, open, load, verify, checksumOf, messageOf, sceneOf} = require("./live_page.cjs");
+const {kOutput, kTurns, startBrowser, closeBrowser, open, load, verify, playerScripts, checksumOf, frameOf, messageOf, sceneOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -68,42 +68,87 @@ test("a saved clip of which a word was changed is refused", async () => {
   await close();
 });
 
-/** Returns the pixels of three of a saved clip's pictures, decoded by the browser. */
-const picturesOf = (page, file) => page.evaluate(async (address) => {
+/** Returns the pixels of some of a saved clip's pictures, decoded by the browser. */
+const picturesOf = (page, file, wanted, rate) => page.evaluate(async ([address, frames, fps]) => {
   const video = Object.assign(document.createElement("video"), {src: address, muted: true});
   await new Promise((resolve, reject) => { video.onloadeddata = resolve; video.onerror = () => reject(new Error("no video")); });
   const canvas = Object.assign(document.createElement("canvas"), {width: video.videoWidth, height: video.videoHeight});
   const context = canvas.getContext("2d"), pictures = [];
-  for (const frame of [10, 30, 59]) {
-    await new Promise((resolve) => { video.requestVideoFrameCallback(resolve); video.currentTime = (frame + 0.5) / 60; });
+  for (const frame of frames) {
+    await new Promise((resolve) => { video.requestVideoFrameCallback(resolve); video.currentTime = (frame + 0.5) / fps; });
     context.drawImage(video, 0, 0);
     pictures.push([...context.getImageData(0, 0, canvas.width, canvas.height).data]);
   }
   return pictures;
-}, `data:video/${path.extname(file).slice(1)};base64,${fs.readFileSync(file).toString("base64")}`);
+}, [`data:video/${path.extname(file).slice(1)};base64,${fs.readFileSync(file).toString("base64")}`, wanted, rate]);
+
+/** Returns the pixels of a frame as the page shows it, as large as a clip. */
+const shownAt = (page, frame) => page.evaluate((at) => {
+  const {player} = rotatebook, canvas = Object.assign(document.createElement("canvas"), {width: 320, height: 180}), context = canvas.getContext("2d");
+  player.drawing.draw(at, player);
+  for (const layer of ["picture", "lines"]) context.drawImage(player.drawing[layer], 0, 0, 320, 180);
+  return [...context.getImageData(0, 0, 320, 180).data];
+}, frame);
+
+/** Returns how far two pictures are apart in some rows, in the mean, of 255. */
+function offIn([top, bottom], picture, other) {
+  let sum = 0;
+  for (let at = 4 * 320 * top; at < 4 * 320 * bottom; ++at) sum += Math.abs(picture[at] - other[at]);
+  return sum / (4 * 320 * (bottom - top));
+}
 
 test("its pictures are those of the page, with the words", async () => {
   const {page, close} = await opened(kShort, {}, {width: 800, height: 900});  // As wide as the clip for its height.
-  const {file} = await saved(page, "pictures"), pictures = await picturesOf(page, file);
-  for (const [i, frame] of [10, 30, 59].entries()) {
-    const shown = await page.evaluate((at) => {
-      const {player} = rotatebook, canvas = Object.assign(document.createElement("canvas"), {width: 320, height: 180}), context = canvas.getContext("2d");
-      player.drawing.draw(at, player);
-      for (const layer of ["picture", "lines"]) context.drawImage(player.drawing[layer], 0, 0, 320, 180);
-      return [...context.getImageData(0, 0, 320, 180).data];
-    }, frame);
-    const off = (rows, other) => {
-      let sum = 0, count = 0;
-      for (let y = rows[0]; y < rows[1]; ++y) {
-        for (let at = 4 * 320 * y; at < 4 * 320 * (y + 1); ++at, ++count) sum += Math.abs(pictures[i][at] - other[at]);
-      }
-      return sum / count;
-    };
+  const frames = [10, 30, 59], {file} = await saved(page, "pictures"), pictures = await picturesOf(page, file, frames, 60);
+  for (const [i, frame] of frames.entries()) {
+    const shown = await shownAt(page, frame), off = (rows, other) => offIn(rows, pictures[i], other);
     const words = off([145, 180], shown), books = off([30, 130], shown), later = off([30, 130], pictures[(i + 1) % 3]);
     console.log(`frame ${frame}: off by ${books.toFixed(1)} of 255 among the books, ${later.toFixed(1)} from another frame; ${words.toFixed(1)} where the words are`);
     assert.ok(books < later / 2 && words > books, "the frame is the clip's own");
   }
   await close();
+});
+
+// Five pictures a second, so 60 in 12 s.
+const kLong = kTurns.replace("[64, 36]\nduration = 1.5", "[320, 180]\nfps = 5\nduration = 20");
+
+test("twelve seconds are saved from the moment that is shown, or all by choice", async () => {
+  const {page, problems, close} = await opened(kLong, {}, {width: 800, height: 900});
+  for (const [at, length, part, frames] of [[30, "12", "frames 30:90 of 100", 60], [95, "12", "frames 40:100 of 100", 60], [30, "Infinity", "100 frames", 100]]) {
+    await page.evaluate((frame) => rotatebook.player.seek(frame), at);
+    await page.locator(".rb-length").selectOption(length);
+    const {file} = await saved(page, "part"), {status, output} = verify(file);
+    assert.match(await messageOf(page), new RegExp(`: ${frames} pictures of 320x180`));
+    assert.equal(status, 4, output);
+    for (const words of [`claims to be ${part} of the scene live-book`, `ok {6}frames {7}${frames} `, `ok {6}duration {5}${frames / 5} s`, "^Motion proved: "]) {
+      assert.match(output, new RegExp(words, "m"));
+    }
+    if (at !== 30 || length !== "12") continue;
+    const [first] = await picturesOf(page, file, [0], 5), [own, other] = [offIn([30, 130], first, await shownAt(page, 30)), offIn([30, 130], first, await shownAt(page, 0))];
+    assert.ok(own < other / 2, `${own} from the moment's picture, ${other} from the beginning's`);
+    await page.locator("input[type=file]").setInputFiles(file);
+    await page.waitForFunction(() => /proved/.test(document.querySelector(".rb-message").textContent));
+    assert.equal(await frameOf(page), 30, "it is played from where it begins");
+  }
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("the time that is left is said in round numbers that don't jitter", () => {
+  const {TimeLeft} = playerScripts(["save_clip"], ["TimeLeft"]);
+  const worst = {s: 0, min: 0};
+  for (const whole of [30, 200, 1000]) {
+    const left = new TimeLeft(), said = [];
+    for (let n = 1, passed = 0; n <= 720; ++n) {
+      passed += whole / 720 * (1 + 0.5 * Math.sin(n));  // Some pictures take three times as long as others.
+      const words = left.wordsAt(n, 720, passed), [number, unit] = words.split(" ");
+      assert.equal(words === "", n < 20);
+      if (unit) worst[unit] = Math.max(worst[unit], Math.abs(number * (unit === "min" ? 60 : 1) - whole * (1 - n / 720)));
+      if (words && words !== said.at(-1)) said.push(words);
+    }
+    assert.equal(new Set(said).size, said.length, `said again: ${said.join(", ")}`);
+  }
+  assert.ok(worst.s < 10.5 && worst.min < 55, JSON.stringify(worst));  // Measured 10 and 51.9.
 });
 
 test("saving is cancelled by a button, and nothing else waits for it", async () => {
@@ -113,7 +158,7 @@ test("saving is cancelled by a button, and nothing else waits for it", async () 
   await page.locator("[data-do=clip]").focus();
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.querySelector(".rb-saving progress").value > 0);
-  assert.match(await page.locator(".rb-saving span").textContent(), /^Picture \d+ of 3600, \d+ %$/);
+  assert.match(await page.locator(".rb-saving span").textContent(), /^Picture \d+ of 720(, about \d+ (s|min) left)?$/);
   await page.evaluate(fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8"));
   assert.deepEqual(await page.evaluate(async () => (await axe.run(document)).violations.map(({id, nodes}) => `${id}: ${nodes[0].html}`)), []);
   // A throw meanwhile changes what is played, not what is saved.

@@ -57,13 +57,13 @@ function keepContext(player) {
   const {picture, view} = player.drawing;
   picture.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    player.announcer.show(view.lack);
+    player.outcome.warn(view.lack);
     player.redraw();
   });
   picture.addEventListener("webglcontextrestored", () => {
     view.make();
     player.restoreCloth();
-    player.announcer.show("");
+    player.outcome.warn("");
     player.redraw();
   });
 }

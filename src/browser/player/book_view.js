@@ -240,7 +240,8 @@ class BookView {
     this.ground = ground;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     if (!isSame) {
-      gl.clearColor(...kWall.map((part) => (this.isLight ? 1 - kLightShare * part : part)), 1);
+      const {plain, backdrop} = books[0], wall = plain ?? (backdrop === "stars" ? [0, 0, 0] : kWall);
+      gl.clearColor(...wall.map((part) => (this.isLight && !plain ? 1 - kLightShare * part : part)), 1);
       gl.clear(gl.COLOR_BUFFER_BIT);
     }
     books.forEach((book, i) => this.#clear(book, isSame ? this.boxes[i] : book.area));

@@ -13,6 +13,7 @@ class ClipStage extends Stage {
 
   get sharpness() { return Math.min(...this.size) * kClipUnit; }
   get unit() { return this.sharpness; }
+  room() { return {left: 0, top: 0, right: this.box.width, named: 0}; }
   get box() { return {width: this.size[0] / this.sharpness, height: this.size[1] / this.sharpness}; }
 }
 

@@ -1,4 +1,4 @@
-// One line after a throw: what was done, and what follows from it.
+// One line: after a throw, what was done, and what follows from it; else what the browser lacks.
 
 const kSaidAfter = 3;  // [s]
 const kQuiet = 10;     // A spin as near to its axis goes on quietly. [degrees]
@@ -19,7 +19,7 @@ function outcomeOf({axis, offAxis, isSteady, flipInterval}) {
 class Outcome {
   /** `line`: the paragraph that says it, in place of `hint`. */
   constructor(line, hint, announcer) {
-    Object.assign(this, {line, hint, announcer});
+    Object.assign(this, {line, hint, announcer, lack: ""});
     this.forget();
   }
 
@@ -34,16 +34,31 @@ class Outcome {
   /** Another motion comes. */
   forget() {
     this.spin = null;
+    this.#rest();
+  }
+
+  /** Says why the book is drawn plainly; with an empty `lack`, no longer. */
+  warn(lack) {
+    this.lack = lack;
+    this.#rest();
+    if (lack) this.announcer.announce(lack);
+  }
+
+  #rest() {
     this.words = "";
-    this.line.hidden = true;
+    this.#show(this.lack);
+  }
+
+  #show(text) {
+    this.line.textContent = text;
+    this.line.hidden = !text;
+    if (text) this.hint.hidden = true;
   }
 
   /** Called as time passes. [s] */
   tick(time) {
-    if (!this.words || !this.line.hidden || time < kSaidAfter) return;
-    this.line.textContent = this.words;
-    this.line.hidden = false;
-    this.hint.hidden = true;
+    if (!this.words || this.line.textContent === this.words || time < kSaidAfter) return;
+    this.#show(this.words);
     this.announcer.announce(this.words);
   }
 }

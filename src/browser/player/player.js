@@ -64,6 +64,7 @@ class Player {
 
   /** As a second step, as knobs need a scene to show. */
   begin(text, isPlaying) {
+    this.outcome.warn(this.drawing.view.lack);
     this.load(text, {isPlaying});
     this.controls = new Controls(this.root, this);
     this.controls.refresh();
@@ -133,7 +134,7 @@ class Player {
       return false;
     }
     if (!isQuestion) this.predict.leave();
-    this.announcer.show(this.drawing.view.lack);
+    this.announcer.show("");
     this.hand.putBack();
     if (isMotion) this.outcome.forget();
     this.record = record;

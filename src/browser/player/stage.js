@@ -10,6 +10,7 @@ const kRest = 30;              // After one that wasn't, judgements without a tr
 const kSettling = 0.5;         // After a throw. [s]
 const kBesideLines = 26;       // Of heads and letters at their ends, in widths of a line.
 const kLinesStep = 64;         // Of the size of the canvas that shows them. [pixels]
+const kNameHeight = 24;        // [CSS pixels]
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
 /** Divides a picture, into so many `columns` or such that the panels' shorter sides are longest and few are empty. Returns areas [pixels]. */
@@ -65,7 +66,7 @@ class Stage {
     this.lines = document.createElement("canvas");  // As large as the picture; shown is as much as has lines.
     this.shown = root.querySelector(".rb-lines");
     this.labels = root.querySelector(".rb-labels");
-    this.insets = root.querySelector(".rb-insets");
+    [this.scene, this.throws, this.views] = [".rb-scene", ".rb-throws", ".rb-views"].map((selector) => root.querySelector(selector));
     this.core = core;
     this.pictures = pictures;
     this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
@@ -100,7 +101,7 @@ class Stage {
     this.#fit(this.picture, this.scale);
     this.#fit(this.lines, this.sharpness);
     const {width, height} = this.picture;
-    const motions = state.read.motions, areas = dividedAreas(motions.length, width, height, state.scene.gridColumns);
+    const motions = state.read.motions, areas = this.#areas(state);
     this.#takeBodies(motions, state.scene);
     this.books = motions.map((motion, i) => this.#book(i, frame, areas[i], state));
     const isPlain = this.view.lack !== "";
@@ -108,6 +109,24 @@ class Stage {
     this.#drawLines(frame, state, isPlain);
     this.#placeLabels(motions, areas);
     this.#placeInsets(areas[state.book]);
+  }
+
+  /** Returns where each book is drawn. [pixels] */
+  #areas(state) {
+    const {width, height} = this.picture, {left, top, right, named} = this.room(state);
+    const [x, y, end, label] = [left, top, right, named].map((part) => Math.round(part * width / this.box.width));
+    this.above = label;  // Each book, for its name. [pixels]
+    return dividedAreas(state.read.motions.length, end - x, height - y, state.scene.gridColumns)
+      .map((area) => ({x: x + area.x, y: y + area.y + label, width: area.width, height: Math.max(area.height - label, 1)}));
+  }
+
+  /** Returns the part of the picture without buttons over it, which several books have to share, or one whose forces are shown over its whole width; and the height of names. [CSS pixels] */
+  room({read: {motions}, scene}) {
+    const {throws, views, box} = this, isNarrow = views.offsetTop >= box.height, isColumn = throws.offsetHeight > throws.offsetWidth;
+    const named = motions.length > 1 && motions.length <= kMostBooks ? kNameHeight * letterSize() : 0;
+    if (motions.length === 1 && !(isNarrow && scene.shows("forces"))) return {left: 0, top: 0, right: box.width, named};
+    if (isColumn) return {left: throws.offsetLeft + throws.offsetWidth, top: 0, right: views.offsetLeft, named};
+    return {left: 0, top: throws.offsetTop + throws.offsetHeight, right: box.width, named};
   }
 
   /** Makes the bodies' meshes, unless they are those of the last picture. */
@@ -159,7 +178,7 @@ class Stage {
       const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
       context.save();
       context.beginPath();
-      context.rect(area.x, area.y, area.width, area.height);
+      context.rect(area.x, area.y - this.above * ratio, area.width, area.height + this.above * ratio);
       context.clip();
       const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit);
       if (isPlain) drawPlainBook(overlay, book.sample, {pictures: this.pictures, cloth: clothOf(state.scene), isBook: !this.bodies[i]});
@@ -172,11 +191,11 @@ class Stage {
       context.restore();
       return overlay;
     });
-    this.#showLines(overlays, isPlain, sharpness);
+    this.#showLines(overlays, isPlain);
   }
 
   /** Shows the part of the lines' canvas in which there are any: all of it would take its time, as it is put over the picture. */
-  #showLines(overlays, isWhole, sharpness) {
+  #showLines(overlays, isWhole) {
     const sizes = [this.lines.width, this.lines.height], margin = kBesideLines * this.unit;
     const within = (place, i) => Math.min(Math.max(Math.floor(place), 0), sizes[i]);
     const from = sizes.map((_, i) => (isWhole ? 0 : within(Math.min(...overlays.map(({least}) => least[i])) - margin, i)));
@@ -186,7 +205,8 @@ class Stage {
     const context = this.shown.getContext("2d", kOnProcessor);
     context.clearRect(0, 0, width, height);
     context.drawImage(this.lines, -from[0], -from[1]);
-    for (const [name, value] of Object.entries({left: from[0], top: from[1], width, height})) this.shown.style[name] = `${value / sharpness}px`;
+    const share = (value, i) => `${100 * value / sizes[i]}%`;
+    Object.assign(this.shown.style, {left: share(from[0], 0), top: share(from[1], 1), width: share(width, 0), height: share(height, 1)});
   }
 
   /** What says why the book turns over. */
@@ -220,7 +240,7 @@ class Stage {
     this.labels.replaceChildren(...(motions.length < 2 || motions.length > kMostBooks ? [] : motions.map((motion, i) => {
       const label = make("span", {}, motion.label);
       label.style.left = share(areas[i].x, this.picture.width);
-      label.style.top = share(areas[i].y, this.picture.height);
+      label.style.top = `calc(${share(areas[i].y, this.picture.height)} - ${kNameHeight / 16}rem)`;
       label.style.maxWidth = share(areas[i].width, this.picture.width);
       label.style.setProperty("--rb-book", kBookColours[i]);
       return label;
@@ -233,7 +253,7 @@ class Stage {
     const key = place.join();
     if (key === this.insetsPlaced) return;
     this.insetsPlaced = key;
-    ["right", "bottom"].forEach((side, i) => { this.insets.style[side] = `calc(${place[i]}% + 0.6rem)`; });
+    ["right", "bottom"].forEach((side, i) => { this.scene.style.setProperty("--rb-" + side, `${place[i]}%`); });
   }
 
   /** Returns the index of the book in whose area a point is [CSS pixels], and the point in the drawing's pixels. */

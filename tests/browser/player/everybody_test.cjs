@@ -150,7 +150,14 @@ test("on paper there are the picture and its numbers, dark on white, and no cont
   await page.emulateMedia({media: "print"});
   assert.equal(await page.locator(":is(button, input, select, summary):visible").count(), 0);
   assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor), "rgb(255, 255, 255)");
-  assert.ok(!await page.locator(".rb-lines").isVisible());  // They keep the size that they have on the screen.
+  // The lines get larger or smaller with the picture: the same share of it.
+  const shareOfLines = () => page.evaluate(() => {
+    const [lines, picture] = [".rb-lines", ".rb-picture"].map((part) => document.querySelector(part).getBoundingClientRect());
+    return ["left", "top"].map((side, i) => (lines[side] - picture[side]) / [picture.width, picture.height][i]).concat(lines.width / picture.width, lines.height / picture.height);
+  });
+  const onPaper = await shareOfLines();
+  await page.addStyleTag({content: ".rb-stage { width: 50% !important; aspect-ratio: 3 !important; min-height: 0 !important; }"});
+  (await shareOfLines()).forEach((share, i) => assert.ok(Math.abs(share - onPaper[i]) < 0.005, `${share} for ${onPaper[i]}`));
   assert.ok(await page.locator(".rb-picture").isVisible() && await page.locator(".rb-numbers").first().isVisible());
   const colours = await page.locator(":is(h1, .lead, .rb-numbers :is(dt, dd)):visible").evaluateAll((all) => all.map((one) => getComputedStyle(one).color));
   for (const colour of colours) assert.ok(Math.max(...colour.match(/\d+/g).slice(0, 3)) < 100, colour);  // measured 79

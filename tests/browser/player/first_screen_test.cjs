@@ -47,6 +47,28 @@ const coveredBy = (page) => page.evaluate(() => {
   return covered.map(([text]) => text.className);
 });
 
+/** Presses why, if the arrows aren't there. */
+const seeWhy = (page) => page.evaluate(() => { if (!rotatebook.player.showsWhy) rotatebook.player.toggleWhy(); });
+
+/** Pixels of arrows and letters beneath buttons in the first three seconds, and what of the legend and the ladder lies on the picture. */
+const hiddenOf = (page) => page.evaluate(() => {
+  const {player} = rotatebook, {drawing} = player, picture = drawing.picture.getBoundingClientRect(), scale = drawing.sharpness;
+  const buttons = [...document.querySelectorAll(".rb-throws button, .rb-views label, .rb-views button")].map((element) => element.getBoundingClientRect());
+  let ink = 0;
+  for (let frame = 0; frame <= 180; frame += 20) {
+    drawing.draw(frame, player);
+    for (const {left, top, width, height} of buttons.filter(({top, bottom}) => top < picture.bottom && bottom > picture.top)) {
+      const {data} = drawing.lines.getContext("2d").getImageData((left - picture.left) * scale, (top - picture.top) * scale, width * scale, height * scale);
+      for (let at = 3; at < data.length; at += 4) ink += data[at] > 0;
+    }
+  }
+  const why = [".rb-legend", ".rb-ladder"].filter((part) => {
+    const {top, height} = document.querySelector(part).getBoundingClientRect();
+    return height > 0 && top < picture.bottom;
+  });
+  return {ink, why};
+});
+
 async function checkTour(page, picture) {
   for (let step = 0; step < 6; ++step) {
     await page.evaluate((wanted) => {
@@ -58,6 +80,12 @@ async function checkTour(page, picture) {
     assert.deepEqual(faults, [], `step ${step + 1}`);
     assert.ok(y >= 0 && (scrolled === 0 || page.viewportSize().width < 640), `${scrolled} in step ${step + 1}`);
     assert.ok(height >= kLeastPicture, `${height} in step ${step + 1}`);
+    const isNarrow = page.viewportSize().width < 640;
+    if (step !== 0 && !(isNarrow && [3, 4].includes(step))) continue;
+    if (step === 3) await seeWhy(page);
+    await page.waitForFunction(() => rotatebook.player.simulated > 180 && !rotatebook.player.isDirty);
+    if (isNarrow) await page.screenshot({path: picture.replace(".png", `-${step + 1}.png`)});
+    assert.deepEqual(await hiddenOf(page), {ink: 0, why: []}, `step ${step + 1}`);
   }
 }
 

@@ -5,7 +5,7 @@ const assert = require("node:assert/strict");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, messageOf} = require("./live_page.cjs");
+const {kOutput, kPages, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -52,9 +52,37 @@ function differenceOf(a, b) {
   return differences.reduce((sum, part) => sum + part, 0) / differences.length;
 }
 
+const saidOf = (page) => page.locator(".rb-said").textContent();
+
+/** Whether what is said, and the time line, are in the window. */
+const isOnFirstScreen = (page) => page.evaluate(() => [".rb-said", ".rb-timeline"].map((part) => {
+  const {top, bottom, height} = document.querySelector(part).getBoundingClientRect();
+  return height > 10 && top >= 0 && bottom <= innerHeight && scrollY === 0;
+}));
+
+for (const name of Object.keys(kPages)) {
+  for (const [width, height] of [[1366, 768], [1024, 768], [390, 844]]) {
+    test(`why it is drawn plainly is on the first screen of ${name}.html at ${width} x ${height}`, async () => {
+      const file = pathToFileURL(kPages[name]()).href;
+      for (const hash of ["", "?lang=de"]) {
+        const {page, close} = await open({viewport: {width, height}}, {script: kNoWebGl2, file, hash});
+        assert.match(await saidOf(page), /WebGL 2/);
+        assert.deepEqual(await isOnFirstScreen(page), [true, true], hash);
+        await page.screenshot({path: path.join(kOutput, `plain-${name}-${width}${hash.slice(6)}.png`)});
+        await close();
+      }
+      const {page, close} = await open({viewport: {width, height}}, {file});
+      await page.evaluate(() => rotatebook.player.drawing.view.gl.getExtension("WEBGL_lose_context").loseContext());
+      await page.waitForFunction(() => /interrupted/.test(document.querySelector(".rb-said").textContent));
+      assert.deepEqual(await isOnFirstScreen(page), [true, true]);
+      await close();
+    });
+  }
+}
+
 test("without WebGL 2 the book is drawn plainly, and all but saving works", async () => {
   const {page, problems, close} = await open({reducedMotion: "no-preference"}, {script: kNoWebGl2});
-  assert.match(await messageOf(page), /no WebGL 2/);
+  assert.match(await saidOf(page), /no WebGL 2/);
   await page.waitForFunction(() => rotatebook.player.frame > 20);
   await page.evaluate(() => rotatebook.player.pause());
   await page.screenshot({path: path.join(kOutput, "no-webgl2.png")});
@@ -89,7 +117,7 @@ test("while the context is lost the book is drawn plainly; then there is the sam
     window.losing = rotatebook.player.drawing.view.gl.getExtension("WEBGL_lose_context");
     losing.loseContext();
   });
-  await page.waitForFunction(() => /interrupted/.test(document.querySelector(".rb-message").textContent));
+  await page.waitForFunction(() => /interrupted/.test(document.querySelector(".rb-said").textContent));
   await page.screenshot({path: path.join(kOutput, "lost.png")});
   const lost = await pictureAt(page, 100);
   assert.match(lost.lack, /interrupted/);
@@ -97,7 +125,7 @@ test("while the context is lost the book is drawn plainly; then there is the sam
   console.log(`${difference} from the shaded book`);
   assert.ok(difference < 40);  // measured 30
   await page.evaluate(() => losing.restoreContext());
-  await page.waitForFunction(() => document.querySelector(".rb-message").hidden);
+  await page.waitForFunction(() => document.querySelector(".rb-said").hidden);
   const again = await pictureAt(page, 100);
   assert.equal(again.lack, "");
   assert.ok(again.pixels.every((part, i) => Math.abs(part - before.pixels[i]) <= 1));  // As in the light look.

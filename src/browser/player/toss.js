@@ -1,7 +1,7 @@
 // Your own toss: a phone's sensors measure it, and it is played beside the exact motion. They are read from the button's press until the
 // recording ends, and nothing leaves the page.
 
-const kCountDown = 3, kRecorded = 6;  // [s]
+const kAnswer = 1, kCountDown = 3, kRecorded = 6;  // [s]
 const kFewest = 30;                   // Readings a second: ten in a third of a second.
 const kTossSpeed = 0.1;
 const kTossFile = "toss.csv";
@@ -46,19 +46,25 @@ class Toss {
   #show(words) { this.line.textContent = words; }
   save() { saveBlob(new Blob([this.table], {type: "text/csv"}), kTossFile); }
 
-  /** Asks for the sensors, within the press of the button, counts down, records, and plays. */
+  /** Asks for the sensors, within the press of the button, waits for an answer, counts down, records, and plays. */
   async record() {
     if (this.isRecording) return;
     this.isRecording = true;
     this.button.setAttribute("aria-disabled", "true");
-    const readings = [], listen = (event) => {
-      const reading = readingOf(event);
-      if (reading && !(reading[0] <= readings.at(-1)?.[0])) readings.push(reading);
-    };
+    const readings = [];
+    let listen;
+    const answer = new Promise((resolve) => {
+      listen = (event) => {
+        const reading = readingOf(event);
+        if (reading && !(reading[0] <= readings.at(-1)?.[0])) resolve(readings.push(reading));
+      };
+    });
     try {
       await this.#ask();
       window.addEventListener("devicemotion", listen);
-      await this.#countDown(readings);
+      await Promise.race([answer, waitFor(kAnswer)]);
+      if (readings.length === 0) throw new TossError(`${kNoSensors} ${kByPhyphox}`);
+      await this.#countDown();
       this.#play(readings);
     } catch (error) {
       if (!(error instanceof TossError)) throw error;
@@ -76,12 +82,11 @@ class Toss {
     if (answer && answer !== "granted") throw new TossError(`${say("The sensors may not be read: permission refused.")} ${kByPhyphox}`);
   }
 
-  async #countDown(readings) {
+  async #countDown() {
     for (let left = kCountDown; left > 0; --left) {
       this.#show(`${left} …`);
       await waitFor(1);
     }
-    if (readings.length === 0) throw new TossError(`${kNoSensors} ${kByPhyphox}`);
     this.#show(say("Toss it now!"));
     await waitFor(kRecorded);
   }

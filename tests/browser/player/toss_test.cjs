@@ -36,7 +36,7 @@ async function exactToss() {
   return {attitudes, moments: motions[0].moments, readings: [...rest, ...flight, ...rest]};
 }
 
-/** Presses the button, and lets the sensors read as soon as it counts; `said` is what the page says meanwhile. */
+/** Presses the button, and lets the sensors read once they are listened to; `said` is what the page says meanwhile. */
 async function toss(page, readings, rate = kRate) {
   if (!await page.locator("[data-do=toss]").isVisible()) await page.locator(".rb-more summary").click();
   await page.evaluate(([all, frequency]) => {
@@ -47,10 +47,15 @@ async function toss(page, readings, rate = kRate) {
     });
     window.said = [];
     window.watcher?.disconnect();
-    window.watcher = new MutationObserver(() => {
-      if (said.push(line.textContent) === 1) send();
-    });
+    window.watcher = new MutationObserver(() => said.push(line.textContent));
     watcher.observe(line, {childList: true});
+    const listen = window.addEventListener;
+    window.addEventListener = (name, ...more) => {
+      listen.call(window, name, ...more);
+      if (name !== "devicemotion") return;
+      window.addEventListener = listen;
+      send();
+    };
   }, [readings, rate]);
   await page.locator("[data-do=toss]").focus();
   await page.keyboard.press("Enter");
@@ -121,6 +126,7 @@ test("says that no sensors answer, in German, too", async () => {
     const {page, problems, close} = await open({}, {script: kSoon, hash: `?lang=${language}`});
     await toss(page, []);
     assert.match(await saying(page, /phyphox/), pattern);
+    assert.equal(await page.evaluate(() => said.length), 1, "it doesn't count first");
     assert.deepEqual(problems, []);
     await close();
   }

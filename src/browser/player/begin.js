@@ -1,6 +1,8 @@
 // Begins when the page is there; says what the browser lacks.
 
 const kHashPause = 400;  // [ms]
+const kMisspelt = /^#(tour=|embed[#&])/;  // Where neither a step nor a scene follows.
+const kLongestPart = 30;
 
 const loadPicture = async (address) => {
   const picture = new Image();
@@ -21,23 +23,29 @@ function lackOf() {
   return "";
 }
 
-/** Opens the tour's step, or plays the scene, in the address, if it has one. */
+const notAStep = (hash) => say("“{part}” in this link is no step of the tour, from #tour=1 to #tour={last}; in a frame, #embed&tour=1.",
+  {part: hash.length > kLongestPart ? `${hash.slice(0, kLongestPart)}…` : hash, last: kTour.length});
+
+/** Opens the tour's step, or plays the scene, in the address, if it has one; says what it has instead. Returns whether there is anything to see. */
 async function playHash(player) {
   const {hash} = location, wanted = hashInFrame(hash), step = tourStepOf(wanted);
   if (step !== null) {
     player.tour.open(step);
     return true;
   }
+  let text = null, problem = kMisspelt.test(hash) ? notAStep(hash) : "";
   try {
-    const text = await textOfHash(wanted, player.core.words.longestScene);
-    if (text === null && player.tour.isOn) player.tour.leave();
-    if (text === null || location.hash !== hash) return false;
-    player.load(text, {isPlaying: player.mayMove});
-    return true;
+    text = await textOfHash(wanted, player.core.words.longestScene);
+    if (text !== null) problem = "";
   } catch (error) {
-    player.announcer.show(error.message, "bad");
-    return false;
+    problem = error.message;
   }
+  if (location.hash !== hash) return false;
+  if (text !== null) player.load(text, {isPlaying: player.mayMove});
+  else if (player.tour.isOn) player.tour.leave();
+  const {title = ""} = player.scene.tree;
+  if (problem) player.announcer.show(title ? `${problem} ${say("Shown instead: {title}.", {title})}` : problem, "bad");
+  return text !== null || problem !== "";
 }
 
 /** An address that holds a scene follows the changes, once they pause. */

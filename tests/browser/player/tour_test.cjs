@@ -56,6 +56,9 @@ const kWays = {
   },
 };
 
+const kShownInstead = "Shown instead: A book thrown about its middle axis.";
+const notAStep = (part) => `“${part}” in this link is no step of the tour, from #tour=1 to #tour=6; in a frame, #embed&tour=1. ${kShownInstead}`;
+
 for (const name of Object.keys(kPages)) {
   for (const [device, {next, acts}] of Object.entries(kWays)) {
     test(`six steps by ${device} in ${name}.html`, async () => {
@@ -102,9 +105,23 @@ for (const name of Object.keys(kPages)) {
     await page.evaluate(() => { location.hash = "#elsewhere"; });
     await page.locator(".rb-question").waitFor({state: "hidden"});
     assert.equal(await titleOf(), "A book thrown about its middle axis");
+    await page.evaluate(() => { location.hash = "#tour=3"; });
+    await waitForStep(page, 3);
     await page.evaluate(() => { location.hash = "#tour=7"; });
-    await page.evaluate(() => new Promise((resolve) => { setTimeout(resolve, 100); }));
-    assert.ok(await page.locator(".rb-question").isHidden());
+    await page.locator(".rb-question").waitFor({state: "hidden"});
+    assert.equal(await messageOf(page), notAStep("#tour=7"));
+    assert.equal(await hashOf(page), "");
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
+for (const hash of ["#tour=0", "#tour=abc", "#tour=2&embed", "#embed#tour=3", "#embed&tour=9", "#play=x", "#embed&play=x"]) {
+  test(`a broken link, ${hash}, is said, and what is shown instead`, async () => {
+    const {page, problems, close} = await open({viewport: {width: 1024, height: 768}}, {hash});
+    assert.equal(await messageOf(page), /play/.test(hash) ? `The scene in this link can’t be read: it is damaged or cut off. ${kShownInstead}` : notAStep(hash));
+    assert.ok(await page.locator(".rb-message").isVisible() && await page.locator(".rb-question").isHidden());
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth > innerWidth), false);
     assert.deepEqual(problems, []);
     await close();
   });

@@ -100,9 +100,9 @@ test("the line to copy is a frame of what is played", async () => {
   await page.locator(".rb-throws [data-axis=y]").click();
   const checksum = await checksumOf(page);
   await page.locator(".rb-more summary").click();
-  await page.locator("[data-do=frame]").click();
+  await page.getByRole("button", {name: "Copy for a course page"}).click();
   await page.waitForFunction(() => /clipboard/.test(document.querySelector(".rb-message").textContent));
-  assert.match(await messageOf(page), /^The frame is in the clipboard/);
+  assert.match(await messageOf(page), /^A line of HTML for the course page is in the clipboard/);
   const line = await page.evaluate(() => navigator.clipboard.readText());
   assert.match(line, /^<iframe src="play.html#embed&amp;play=[\w-]+" title="The live book" width="960" height="600" allow="accelerometer; gyroscope" allowfullscreen="" loading="lazy"><\/iframe>$/);
   await close();

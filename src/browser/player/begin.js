@@ -44,7 +44,7 @@ async function playHash(player) {
   if (text !== null) player.load(text, {isPlaying: player.mayMove});
   else if (player.tour.isOn) player.tour.leave();
   const {title = ""} = player.scene.tree;
-  if (problem) player.announcer.show(title ? `${problem} ${say("Shown instead: {title}.", {title})}` : problem, "bad");
+  if (problem) player.outcome.say(title ? `${problem} ${say("Shown instead: {title}.", {title})}` : problem);
   return text !== null || problem !== "";
 }
 

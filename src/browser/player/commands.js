@@ -2,7 +2,7 @@
 
 const kActionsOfKeys = {x: (player) => player.throwAbout("x"), y: (player) => player.throwAbout("y"), z: (player) => player.throwAbout("z"),
   j: (player) => player.jiggle(), r: (player) => player.reset(), ",": (player) => player.step(-1), ".": (player) => player.step(1),
-  f: (player) => player.bigScreen.toggle(), Escape: (player) => player.bigScreen.leave(),
+  f: (player) => player.bigScreen.toggle(), Escape: (player) => (player.hand.held ? player.hand.putBack() : player.bigScreen.leave()),
   Home: (player) => player.seek(0), End: (player) => player.seek(player.lastFrame)};
 const kBallStep = 0.06;  // Of a key. [rad]
 
@@ -48,7 +48,7 @@ class Commands {
     const [page] = location.href.split("#"), hash = await hashOf(this.player.sharedText());
     const src = `${location.protocol === "file:" ? page.replace(/.*\//, "") : page}#embed&${hash.slice(1)}`;
     const frame = make("iframe", {src, title: say("The live book"), width: "960", height: "600", allow: "accelerometer; gyroscope", allowFullscreen: true, loading: "lazy"});
-    await this.#copy(frame.outerHTML, say("The frame is in the clipboard: a line of HTML for another page."), say("The frame is below, ready to copy."));
+    await this.#copy(frame.outerHTML, say("A line of HTML for the course page is in the clipboard."), say("A line of HTML for the course page is below, ready to copy."));
   }
 
   async #copy(text, done, ready) {

@@ -68,7 +68,10 @@ class Hand {
     const spin = [0, 1, 2].map((axis) => last.reduce((sum, {turn}) => sum + turn[axis], 0) / passed);
     const size = Math.min(Math.hypot(...spin), kFastest);
     this.putBack();
-    if (size < kLeastThrow) return;
+    if (size < kLeastThrow) {
+      if (!held.wasPlaying) player.outcome.say(say("The hand stood still, so it isn’t a throw: the book is back where it was."));
+      return;
+    }
     const attitude = times(held.turn, [...held.sample.subarray(kSample.attitude, kSample.attitude + 4)]);
     player.throwFrom(held.book, attitude, turned(undone(attitude), sized(spin, size)));
   }

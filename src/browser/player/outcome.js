@@ -1,4 +1,4 @@
-// One line: after a throw, what was done, and what follows from it; else what the browser lacks.
+// One line: after a throw, what was done, and what follows from it; else what the browser or an address lacks.
 
 const kSaidAfter = 3;  // [s]
 const kQuiet = 10;     // A spin as near to its axis goes on quietly. [degrees]
@@ -42,6 +42,13 @@ class Outcome {
     this.lack = lack;
     this.#rest();
     if (lack) this.announcer.announce(lack);
+  }
+
+  /** Says something else, until another motion comes. */
+  say(text) {
+    this.words = "";
+    this.#show(text);
+    this.announcer.announce(text);
   }
 
   #rest() {

@@ -287,10 +287,10 @@ class Player {
   start() { this.#setPlaying(true); }
   pause() { this.#setPlaying(false); }
 
-  /** What plays or moves the picture waits for the answer of a question. */
+  /** What plays or moves the picture waits for the answer of a question, and until the hand lets go. */
   #isFree() {
     if (this.predict.isAsking) this.predict.insist();
-    return !this.predict.isAsking;
+    return !this.predict.isAsking && !this.hand.held;
   }
 
   toggle() {
@@ -381,7 +381,7 @@ class Player {
   throwBook(right, up) {
     if (this.canThrow() && this.#isFree()) this.throws.throwBook(right, up);
   }
-  jiggle() { if (this.canThrow()) this.throws.jiggle(); }
+  jiggle() { if (this.canThrow() && this.#isFree()) this.throws.jiggle(); }
 
   /** Whether the scene's text can hold the turned view: only a camera of the world's frame has a place of its own. */
   get canShareView() { return this.scene.explicit.camera?.frame === "world"; }

@@ -198,6 +198,47 @@ test("a hand that holds still before it lets go puts the book back into its moti
   await close();
 });
 
+test("a hand that holds a waiting book still before it lets go puts it back, and says so", async () => {
+  const {page, problems, close} = await open();
+  await pauseAt(page, 240);
+  const before = await sceneOf(page), {middle: [x, y]} = await stageOf(page), said = page.locator(".rb-said");
+  const lies = () => page.waitForFunction(() => rotatebook.player.drawing.books[0].sample.every((part, i) => part === rotatebook.player.core.sample(0, 0, 240)[i]));
+  await lies();
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 80, y);
+  await page.waitForTimeout(600);
+  assert.ok(await said.isHidden());
+  await page.mouse.up();
+  await said.waitFor({state: "visible"});
+  assert.match(await said.textContent(), /^The hand stood still, so it isn’t a throw/);
+  await lies();
+  assert.deepEqual([await sceneOf(page), await frameOf(page)], [before, 240]);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+test("a book in the hand is thrown, moved and played by nothing else; Escape puts it back", async () => {
+  const {page, problems, close} = await open({reducedMotion: "no-preference"});
+  await page.waitForFunction(() => rotatebook.player.frame > 10);
+  const {middle: [x, y]} = await stageOf(page), before = await sceneOf(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 60, y, {steps: 3});
+  const frame = await frameOf(page), isHeld = () => page.evaluate(() => rotatebook.player.hand.held !== null);
+  for (const key of ["x", "y", "z", "j", "Space", "Home", "End", ".", "Shift+ArrowUp"]) await page.keyboard.press(key);
+  await page.evaluate(() => { for (const button of document.querySelectorAll("[data-do=throw]")) button.click(); });
+  assert.deepEqual([await sceneOf(page), await frameOf(page), await isHeld()], [before, frame, true]);
+  await page.keyboard.press("Escape");
+  assert.equal(await isHeld(), false);
+  await page.waitForFunction((at) => rotatebook.player.frame > at, frame);
+  await page.mouse.move(x + 160, y, {steps: 3});
+  await page.mouse.up();
+  assert.deepEqual(await sceneOf(page), before, "nor does the hand throw it then");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("a throw in the past takes the place of later ones", async () => {
   const {page, close} = await open();
   await page.locator(".rb-picture").focus();

@@ -58,7 +58,7 @@ test("the hand holds the book, turns it and throws it from rest", async () => {
   assert.equal(await frameOf(page), frame, "the motion waits");
   const caught = await attitudeOf(page);
   await page.mouse.move(x + 90, y);
-  await page.waitForFunction((before) => Math.abs(rotatebook.player.drawing.books[0].sample[1] - before) > 0.01, caught[0]);
+  await page.waitForFunction((before) => before.some((part, i) => Math.abs(rotatebook.player.drawing.books[0].sample[1 + i] - part) > 0.01), caught);
   const turned = await attitudeOf(page);
   assert.equal(await frameOf(page), frame);
   await Promise.all([page.mouse.move(x + 91, y), page.mouse.move(x + 130, y), page.mouse.move(x + 170, y), page.mouse.up()]);

@@ -72,7 +72,7 @@ test("a damaged link, or one of a broken scene, is said, and the last good scene
   const before = await sceneOf(page);
   const go = async (hash, pattern) => {
     await page.evaluate((to) => { location.hash = to; }, hash);
-    await page.waitForFunction((source) => new RegExp(source).test(document.querySelector(".rb-message").textContent), pattern.source);
+    await page.waitForFunction((source) => new RegExp(source).test([".rb-said", ".rb-message"].map((line) => document.querySelector(line).textContent)), pattern.source);
     assert.deepEqual(await sceneOf(page), before);
   };
   await go((await hashOf(kTurns)).slice(0, -20), /damaged or cut off/);

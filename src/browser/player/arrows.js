@@ -1,12 +1,21 @@
 // Lines over the picture: arrows, axes, springs, the ghost's outline, the hand's throw.
 
 const kColours = {omega: "#fad14d", momentum: "#e899d9", axes: ["#f57552", "#47cc9e", "#6bb0fa"], ghost: "#b8ebff", halo: "rgba(10, 11, 15, 0.75)"};
+/** Inks of the light look, by those of the dark one: of the same hue, for a light wall. */
+const kLightInks = {"#fad14d": "#7a5800", "#e899d9": "#a3138f", "#f57552": "#b81428", "#47cc9e": "#00664b", "#6bb0fa": "#1858b8", "#b8ebff": "#0a6482",
+  "rgba(10, 11, 15, 0.75)": "rgba(255, 255, 255, 0.8)", "#f7f5ed": "#33363d", "#f28c40": "#a63c00", "#5ca8fa": "#0a50d0", "#4dcc9e": "#006e3c",
+  "#8fc7f0": "#0e6294", "#f0b070": "#944800", "#7fd6ab": "#0f6a3b", "#dba3da": "#8a3592", "#dcc664": "#685d00", "#f2978d": "#a8352b",
+  "#b8dbff": "#2860a0", "#ffffff": "#16171a", "#23262b": "#ffffff"};
+const inkOf = (colour, isLight) => (isLight && kLightInks[colour]) || colour;
+/** For a style: of the look there. */
+const inkOfLook = (colour) => `light-dark(${kLightInks[colour]}, ${colour})`;
 // Of a canvas's context: a few lines are drawn by the processor, in less time than a slow graphics card takes for them.
 const kOnProcessor = {willReadFrequently: true};
 const kEdges = [[0, 1], [2, 3], [4, 5], [6, 7], [0, 2], [1, 3], [4, 6], [5, 7], [0, 4], [1, 5], [2, 6], [3, 7]];
 const kFaces = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
 const kStrain = {compressed: [64, 140, 255], rest: [219, 219, 219], stretched: [255, 120, 41]};
 const kLargestStrain = 0.03;
+const kLightStrain = 0.6;  // Of these colours in the light look.
 // In units of the distance from the middle of the book to its corners, as in the program's clips.
 const kReach = {omega: 0.86, momentum: 1, axis: 0.17, shortestAxis: 0.75};
 
@@ -43,11 +52,9 @@ function projected(matrix, area, [x, y, z]) {
   return [area.x + area.width * (0.5 + 0.5 * row(0) / w), area.y + area.height * (0.5 - 0.5 * row(1) / w)];
 }
 
-const mixedColour = (a, b, share) => `rgb(${a.map((part, i) => Math.round(part + share * (b[i] - part))).join(", ")})`;
-
-function strainColour(strain) {
-  const share = Math.min(Math.abs(strain) / kLargestStrain, 1);
-  return mixedColour(kStrain.rest, strain < 0 ? kStrain.compressed : kStrain.stretched, share);
+function strainColour(strain, isLight) {
+  const share = Math.min(Math.abs(strain) / kLargestStrain, 1), most = strain < 0 ? kStrain.compressed : kStrain.stretched;
+  return `rgb(${kStrain.rest.map((part, i) => Math.round((isLight ? kLightStrain : 1) * (part + share * (most[i] - part)))).join(", ")})`;
 }
 
 /** Returns whether a point is in a face of the book as it is seen. */
@@ -65,11 +72,9 @@ function isOnBook(book, sample, point) {
 
 /** Draws lines over one book's picture. */
 class Overlay {
-  /** `unit`: width of a line. [pixels] */
-  constructor(context, book, unit) {
-    this.context = context;
-    this.book = book;
-    this.unit = unit;
+  /** `unit`: width of a line [pixels]; `isLight`: in the light look. */
+  constructor(context, book, unit, isLight) {
+    Object.assign(this, {context, book, unit, isLight});
     this.least = [Infinity, Infinity];  // Of the places between which lines are drawn.
     this.most = [-Infinity, -Infinity];
   }
@@ -82,22 +87,24 @@ class Overlay {
     return place;
   }
 
+  #ink(colour) { return inkOf(colour, this.isLight); }
+
   path(points) {
     const context = this.context;
     context.beginPath();
     points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
   }
 
-  /** Strokes a line with a dark edge, so that it shows over white pages. */
+  /** Strokes a line with an edge of the wall's kind, so that it shows over white pages, or dark cloth. */
   stroke(points, colour, width, edge = 1.6 * this.unit) {
     if (points.includes(null)) return;
     const context = this.context;
     context.lineCap = context.lineJoin = "round";
     this.path(points);
-    context.strokeStyle = kColours.halo;
+    context.strokeStyle = this.#ink(kColours.halo);
     context.lineWidth = width + edge;
     context.stroke();
-    context.strokeStyle = colour;
+    context.strokeStyle = this.#ink(colour);
     context.lineWidth = width;
     context.stroke();
   }
@@ -121,7 +128,7 @@ class Overlay {
   curve(points, colour, width, opacity, isHidden = []) {
     const context = this.context, places = points.map((point) => this.place(point));
     context.lineCap = context.lineJoin = "round";
-    context.strokeStyle = colour;
+    context.strokeStyle = this.#ink(colour);
     context.lineWidth = width * this.unit;
     for (const faint of [true, false]) {
       context.beginPath();
@@ -143,7 +150,7 @@ class Overlay {
     if (places.includes(null)) return;
     this.path(places);
     this.context.globalAlpha = opacity;
-    this.context.fillStyle = colour;
+    this.context.fillStyle = this.#ink(colour);
     this.context.fill();
     this.context.globalAlpha = 1;
   }
@@ -155,7 +162,7 @@ class Overlay {
     for (const [fill, size] of [[kColours.halo, radius + 1], [colour, radius]]) {
       this.context.beginPath();
       this.context.arc(...place, size * this.unit, 0, 2 * Math.PI);
-      this.context.fillStyle = fill;
+      this.context.fillStyle = this.#ink(fill);
       this.context.fill();
     }
   }
@@ -166,9 +173,9 @@ class Overlay {
     context.textAlign = "center";
     context.textBaseline = "middle";
     context.lineWidth = 3 * this.unit;
-    context.strokeStyle = kColours.halo;
+    context.strokeStyle = this.#ink(kColours.halo);
     context.strokeText(text, x, y);
-    context.fillStyle = colour;
+    context.fillStyle = this.#ink(colour);
     context.fillText(text, x, y);
   }
 
@@ -194,7 +201,7 @@ class Overlay {
     for (const [a, b, rest] of springs) {
       const from = cornerOf(sample, a), to = cornerOf(sample, b);
       const strain = Math.hypot(from[0] - to[0], from[1] - to[1], from[2] - to[2]) / rest - 1;
-      this.stroke([this.place(from), this.place(to)], strainColour(strain), 1.3 * this.unit, 0.7 * this.unit);
+      this.stroke([this.place(from), this.place(to)], strainColour(strain, this.isLight), 1.3 * this.unit, 0.7 * this.unit);
     }
   }
 

@@ -41,7 +41,8 @@ class BigScreen {
   toggleLight() {
     const isLight = this.root.classList.toggle("rb-light");
     this.root.querySelector("[data-do=light]").setAttribute("aria-pressed", String(isLight));
-    this.player.drawing.view.isLight = isLight;
+    const {drawing, ball, ladder, timeline} = this.player;
+    for (const part of [drawing.view, ball, ladder, timeline]) part.isLight = isLight;
     this.player.redraw();
   }
 }

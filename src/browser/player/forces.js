@@ -43,7 +43,7 @@ function showLegend(list, {longest}, motion, frame, pixels) {
     list.dataset.key = key;
     list.replaceChildren(...kinds.map(({words, colour}) => {
       const swatch = make("span", {className: "rb-swatch"});
-      swatch.style.background = colour;
+      swatch.style.background = inkOfLook(colour);
       return make("li", {}, swatch, words);
     }), make("li", {}, make("span", {className: "rb-bar"}), `${say.number(String(bar))} N/kg`));
   }

@@ -25,16 +25,16 @@ class Ladder {
     const {context} = this;
     context.beginPath();
     points.forEach(([x, y], i) => (i === 0 ? context.moveTo(x, y) : context.lineTo(x, y)));
-    context.strokeStyle = colour;
+    context.strokeStyle = inkOf(colour, this.isLight);
     context.lineWidth = width;
     context.stroke();
   }
 
   #outline(outline, scale) {
     const {context} = this, points = [...outline.map(({height, reach}) => this.place(reach, height)), ...outline.map(({height, reach}) => this.place(-reach, height)).reverse()];
-    this.#line([...points, points[0]], "rgba(178, 182, 190, 0.7)", scale);
+    this.#line([...points, points[0]], "#8a8e96", scale);
     context.globalAlpha = 0.16;
-    context.fillStyle = kLadderColours.outline;
+    context.fillStyle = inkOf(kLadderColours.outline, this.isLight);
     context.fill();
     context.globalAlpha = 1;
   }
@@ -46,7 +46,7 @@ class Ladder {
     for (const side of [-1, 1]) this.#dot(this.place(side * reach, height), colour, 2.4 * scale);
     context.font = `600 ${12 * scale}px system-ui, sans-serif`;
     context.textBaseline = "middle";
-    context.fillStyle = colour;
+    context.fillStyle = inkOf(colour, this.isLight);
     context.fillText((isTurned ? "123" : "xyz")[axis], right + 8 * scale, y);
   }
 
@@ -60,7 +60,7 @@ class Ladder {
     const {context} = this;
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
-    context.fillStyle = colour;
+    context.fillStyle = inkOf(colour, this.isLight);
     context.fill();
   }
 }

@@ -42,7 +42,7 @@ function showNumbers(list, numbers, player, frame) {
     list.dataset.labels = key;
     list.replaceChildren(...shown.map(([name, title]) => make("div", {title}, make("dt", {}, name), ...motions.map((motion, i) => {
       const value = make("dd");
-      if (motions.length > 1) value.style.setProperty("--rb-book", kBookColours[i]);
+      if (motions.length > 1) value.style.setProperty("--rb-book", inkOfLook(kBookColours[i]));
       return value;
     }))));
   }

@@ -11,7 +11,8 @@ const cssColour = (parts) => `rgb(${parts.map((part) => Math.round(255 * part)).
 /** Draws them by `overlay`, before its own wall. `look`: {pictures, cloth: [0 to 1] or null, isBook}. */
 function drawPlainBook(overlay, sample, {pictures, cloth, isBook}) {
   const {context, book} = overlay, {x, y, width, height} = book.area;
-  context.fillStyle = cssColour(book.plain ?? (book.backdrop === "stars" ? [0, 0, 0] : kPlainWall));
+  const wall = overlay.isLight ? kPlainWall.map((part) => 1 - part) : book.backdrop === "stars" ? [0, 0, 0] : kPlainWall;
+  context.fillStyle = cssColour(book.plain ?? wall);
   context.fillRect(x, y, width, height);
   for (const [name, ...three] of kPlainFaces) {
     const corners = [...three, three[0] ^ three[1] ^ three[2]].map((corner) => [...cornerOf(sample, corner)]), places = corners.map((corner) => overlay.place(corner));

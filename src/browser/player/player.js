@@ -240,7 +240,7 @@ class Player {
     this.#showTime(this.timeOf(frame), frame);
     this.#drawBall(frame);
     this.#drawWhy(frame);
-    for (const name of this.find(".rb-names").children) name.hidden = Boolean(name.dataset.of) && !this.scene.shows(name.dataset.of);
+    showNames(this.find(".rb-names"), this.scene, this.read.motions.length);
     const words = wordsOfEvents(this.timeline.events, this.announcedFrame, frame, this.labels, (at) => this.timeOf(at));
     if (words.length > 0) this.announcer.announce(words.join(". "));
     this.announcedFrame = frame;

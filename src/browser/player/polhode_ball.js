@@ -47,6 +47,8 @@ class PolhodeBall {
     return [0, 1, 2].map((axis) => this.rows.reduce((sum, row, i) => sum + row[axis] * seen[i], 0));
   }
 
+  #ink(colour) { return inkOf(colour, this.isLight); }
+
   #curve(context, points, colour, width) {
     for (const isFront of [false, true]) {
       context.beginPath();
@@ -59,7 +61,7 @@ class PolhodeBall {
         isDown = true;
       }
       context.globalAlpha = isFront ? 1 : 0.22;
-      context.strokeStyle = colour;
+      context.strokeStyle = this.#ink(colour);
       context.lineWidth = width;
       context.stroke();
     }
@@ -69,11 +71,11 @@ class PolhodeBall {
   #ground(context, moments, unit) {
     const inverse = moments.map((moment) => 1 / moment);
     const order = [0, 1, 2].sort((a, b) => inverse[a] - inverse[b]), middle = inverse[order[1]];
-    context.fillStyle = kBallColours.ball;
+    context.fillStyle = this.#ink(kBallColours.ball);
     context.beginPath();
     context.arc(this.middle, this.middle, this.radius, 0, 2 * Math.PI);
     context.fill();
-    context.strokeStyle = kBallColours.rim;
+    context.strokeStyle = this.#ink(kBallColours.rim);
     context.lineWidth = unit;
     context.stroke();
     for (const about of [order[0], order[2]]) {
@@ -96,7 +98,7 @@ class PolhodeBall {
     kAxes.forEach((axis, i) => {
       const [x, y, depth] = this.#place(kAxes.map((other) => (other === axis ? 1.13 : 0)));
       context.globalAlpha = depth < 0 ? 0.4 : 1;
-      context.fillStyle = kColours.axes[i];
+      context.fillStyle = this.#ink(kColours.axes[i]);
       context.fillText(axis, x, y);
     });
     context.globalAlpha = 1;
@@ -104,7 +106,7 @@ class PolhodeBall {
 
   /** Draws the ball, its curves and letters, unless they are there as they shall be. */
   #drawFixed(moments, size, scale) {
-    const key = [size, scale, ...moments].join();
+    const key = [size, scale, this.isLight, ...moments].join();
     if (key === this.fixedKey) return;
     this.fixedKey = key;
     this.fixed.width = this.fixed.height = size;
@@ -126,7 +128,7 @@ class PolhodeBall {
     this.#curve(context, trail, kBallColours.trail, 2 * scale);
     const [x, y, depth] = this.#place(trail[trail.length - 1]);
     context.globalAlpha = depth < 0 ? 0.45 : 1;
-    context.fillStyle = kBallColours.now;
+    context.fillStyle = this.#ink(kBallColours.now);
     context.beginPath();
     context.arc(x, y, 4 * scale, 0, 2 * Math.PI);
     context.fill();

@@ -76,6 +76,7 @@ class Box {
       return button;
     }));
     this.element.hidden = false;
+    this.element.dataset.shared = this.player.read.motions.length > 1;
     this.#makeRoom();  // Before the next picture, so that nobody clicks where a book just was.
     this.text.focus({preventScroll: true});
     // On a small screen, the books are above the question.

@@ -120,13 +120,15 @@ class Stage {
       .map((area) => ({x: x + area.x, y: y + area.y + label, width: area.width, height: Math.max(area.height - label, 1)}));
   }
 
-  /** Returns the part of the picture without buttons over it, which several books have to share, or one whose forces are shown over its whole width; and the height of names. [CSS pixels] */
+  /** Returns the part of the picture that books have, without buttons over it where they need that, and the height of their names. [CSS pixels] */
   room({read: {motions}, scene}) {
-    const {throws, views, box} = this, isNarrow = views.offsetTop >= box.height, isColumn = throws.offsetHeight > throws.offsetWidth;
-    const named = motions.length > 1 && motions.length <= kMostBooks ? kNameHeight * letterSize() : 0;
-    if (motions.length === 1 && !(isNarrow && scene.shows("forces"))) return {left: 0, top: 0, right: box.width, named};
-    if (isColumn) return {left: throws.offsetLeft + throws.offsetWidth, top: 0, right: views.offsetLeft, named};
-    return {left: 0, top: throws.offsetTop + throws.offsetHeight, right: box.width, named};
+    const {throws, views, box} = this, room = {left: 0, top: 0, right: box.width, named: 0};
+    const isShared = motions.length > 1, isNarrow = views.offsetTop >= box.height, left = throws.offsetLeft + throws.offsetWidth;
+    if (isShared && motions.length <= kMostBooks) room.named = kNameHeight * letterSize();
+    if (throws.offsetHeight > throws.offsetWidth) {  // In a low frame.
+      if (isShared || views.offsetLeft - left >= box.height) Object.assign(room, {left, right: views.offsetLeft});
+    } else if (isShared || isNarrow && scene.shows("forces")) room.top = throws.offsetTop + throws.offsetHeight;
+    return room;
   }
 
   /** Makes the bodies' meshes, unless they are those of the last picture. */
@@ -180,7 +182,7 @@ class Stage {
       context.beginPath();
       context.rect(area.x, area.y - this.above * ratio, area.width, area.height + this.above * ratio);
       context.clip();
-      const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit);
+      const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit, this.view.isLight);
       if (isPlain) drawPlainBook(overlay, book.sample, {pictures: this.pictures, cloth: clothOf(state.scene), isBook: !this.bodies[i]});
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
@@ -242,7 +244,7 @@ class Stage {
       label.style.left = share(areas[i].x, this.picture.width);
       label.style.top = `calc(${share(areas[i].y, this.picture.height)} - ${kNameHeight / 16}rem)`;
       label.style.maxWidth = share(areas[i].width, this.picture.width);
-      label.style.setProperty("--rb-book", kBookColours[i]);
+      label.style.setProperty("--rb-book", inkOfLook(kBookColours[i]));
       return label;
     })));
   }

@@ -85,6 +85,7 @@ const picturesOf = (page, file, wanted, rate) => page.evaluate(async ([address, 
 /** Returns the pixels of a frame as the page shows it, as large as a clip. */
 const shownAt = (page, frame) => page.evaluate((at) => {
   const {player} = rotatebook, canvas = Object.assign(document.createElement("canvas"), {width: 320, height: 180}), context = canvas.getContext("2d");
+  player.drawing.room = () => ({left: 0, top: 0, right: player.drawing.box.width, named: 0});  // As in clips, where no buttons are over the books.
   player.drawing.draw(at, player);
   for (const layer of ["picture", "lines"]) context.drawImage(player.drawing[layer], 0, 0, 320, 180);
   return [...context.getImageData(0, 0, 320, 180).data];

@@ -125,7 +125,7 @@ test("a clip is saved, as what this browser has an encoder for", async () => {
 test("without WebGL 2 the book is drawn plainly, which is said", async () => {
   const {page, close} = await open(false);
   try {
-    assert.match(await page.$eval(".rb-message", (message) => message.textContent), /no WebGL 2/);
+    assert.match(await page.$eval(".rb-said", (line) => line.textContent), /no WebGL 2/);
     const reds = await page.evaluate(() => {
       const {player} = rotatebook, {lines} = player.drawing, pixels = lines.getContext("2d").getImageData(0, 0, lines.width, lines.height).data;
       let count = 0;

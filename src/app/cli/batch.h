@@ -41,13 +41,9 @@ int inTurn(std::vector<Outcome>& outcomes, const Work& work) {
 
 /// Returns all as one JSON object; `interrupted` says that scenes were left out or undone.
 template <typename Outcome, typename AsJson>
-std::string batchJson(const char* key, const std::vector<Outcome>& outcomes, const AsJson& asJson,
-                      bool interrupted) {
-  return JsonObject()
-             .addBool("interrupted", interrupted)
-             .add(key, jsonArrayOf(outcomes, asJson))
-             .text() +
-         '\n';
+Json batchJson(const char* key, const std::vector<Outcome>& outcomes, const AsJson& asJson,
+               bool interrupted) {
+  return {{"interrupted", interrupted}, {key, arrayOf(outcomes, asJson)}};
 }
 
 /// Returns the status of `work`, which prints its reports to the stream that it is given; as JSON,
@@ -58,7 +54,7 @@ int reportBatch(bool json, const char* key, std::vector<Outcome>& outcomes, cons
   if (!json) return work(std::cout);
   std::ostream nowhere(nullptr);
   const int status = guarded([&] { return work(nowhere); });
-  std::cout << batchJson(key, outcomes, asJson, status >= kInterrupted);
+  std::cout << jsonText(batchJson(key, outcomes, asJson, status >= kInterrupted)) << '\n';
   return status;
 }
 

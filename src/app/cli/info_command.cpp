@@ -140,42 +140,29 @@ void reportBody(const BodyNumbers& numbers, std::ostream& output) {
   }
 }
 
-std::string bodyJson(const BodyNumbers& numbers) {
+Json bodyJson(const BodyNumbers& numbers) {
   const body::MassProperties& body = numbers.properties;
   const auto [moments, axes] = sortedAxes(body.inertia);
-  const auto rowsOf = [](const Matrix3d& matrix) {
-    return jsonArrayOf(std::array{0, 1, 2}, [&](int row) { return vectorJson(matrix.row(row)); });
+  const auto count = [&](std::size_t BodySurface::*member) {
+    return numbers.surface ? Json((*numbers.surface).*member) : Json();
   };
-  JsonObject json;
-  json.addNumber("volume_m3", body.volume);
-  json.addNumber("mass_kg", body.mass);
-  json.add("centre_m", vectorJson(body.centre));
-  json.add("inertia_kg_m2", rowsOf(body.inertia));
-  json.add("moments_kg_m2", vectorJson(moments));
-  json.add("axes", rowsOf(axes.transpose()));
-  const auto count = [&](const char* key, std::size_t BodySurface::*member) {
-    if (!numbers.surface) {
-      json.add(key, "null");
-    } else {
-      json.addInteger(key, static_cast<std::int64_t>((*numbers.surface).*member));
-    }
-  };
-  count("triangles", &BodySurface::triangles);
-  count("shells", &BodySurface::shells);
-  const auto pair = [&](const char* key, auto BodySurface::*member) {
+  const auto pair = [&](auto BodySurface::*member) {
     const bool isThere = numbers.surface && (*numbers.surface).*member;
-    json.add(key, !isThere ? "null"
-                           : jsonArrayOf(*((*numbers.surface).*member), [](std::size_t triangle) {
-                               return std::to_string(triangle + 1);
-                             }));
+    const auto number = [](std::size_t triangle) { return triangle + 1; };
+    return isThere ? arrayOf(*((*numbers.surface).*member), number) : Json();
   };
-  pair("crossing", &BodySurface::crossing);
-  pair("overlap", &BodySurface::overlap);
-  json.add("notes",
-           jsonArrayOf(numbers.surface ? numbers.surface->notes : std::vector<std::string>{},
-                       [](const std::string& note) { return jsonString(note); }));
-  json.addBool("closed", true);
-  return json.text();
+  return {{"volume_m3", body.volume},
+          {"mass_kg", body.mass},
+          {"centre_m", vectorJson(body.centre)},
+          {"inertia_kg_m2", matrixJson(body.inertia)},
+          {"moments_kg_m2", vectorJson(moments)},
+          {"axes", matrixJson(axes.transpose())},
+          {"triangles", count(&BodySurface::triangles)},
+          {"shells", count(&BodySurface::shells)},
+          {"crossing", pair(&BodySurface::crossing)},
+          {"overlap", pair(&BodySurface::overlap)},
+          {"notes", numbers.surface ? numbers.surface->notes : std::vector<std::string>{}},
+          {"closed", true}};
 }
 
 namespace {
@@ -283,20 +270,16 @@ void print(const std::string& head, const std::vector<Info>& infos) {
   }
 }
 
-std::string infoJson(const Info& info) {
-  return JsonObject()
-      .addStringOrNull("label", info.label)
-      .add("body", bodyJson(info.body))
-      .add("spin", info.spin ? spinJson(*info.spin) : "null")
-      .text();
+Json infoJson(const Info& info) {
+  return {{"label", orNull(info.label)},
+          {"body", bodyJson(info.body)},
+          {"spin", info.spin ? spinJson(*info.spin) : Json()}};
 }
 
 void printJson(const std::string& name, const std::string& title, const std::vector<Info>& infos) {
-  std::cout << JsonObject()
-                   .addString("name", name)
-                   .addStringOrNull("title", title)
-                   .add("motions", jsonArrayOf(infos, infoJson))
-                   .text()
+  std::cout << jsonText({{"name", name},
+                         {"title", orNull(title)},
+                         {"motions", arrayOf(infos, infoJson)}})
             << '\n';
 }
 

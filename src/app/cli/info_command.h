@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "body/mass_properties.h"
 
 namespace rotatebook::cli {
@@ -37,6 +38,6 @@ void reportBody(const BodyNumbers& numbers, std::ostream& output);
 /// centre), "moments_kg_m2" (ascending), "axes" (a unit vector for each moment, right-handed),
 /// "triangles" and "shells" (null for the book), "crossing" and "overlap" (the numbers of two
 /// triangles, from 1, or null), "notes", "closed".
-std::string bodyJson(const BodyNumbers& numbers);
+Json bodyJson(const BodyNumbers& numbers);
 
 }  // namespace rotatebook::cli

@@ -72,14 +72,14 @@ std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Spee
                      advice.gain, advice.gain * speed.framesPerSecond(), advice.effect);
 }
 
-std::string json(const WorkTime& time) {
-  return JsonObject().addNumber("wall", time.wall).addNumber("processor", time.processor).text();
+Json json(const WorkTime& time) {
+  return {{"wall", time.wall}, {"processor", time.processor}};
 }
 
-std::string json(const pipeline::StageTimes& stages) {
-  JsonObject object;
-  for (const Row& row : rowsOf(stages)) object.add(row.key, json(row.time));
-  return object.text();
+Json json(const pipeline::StageTimes& stages) {
+  Json object;
+  for (const Row& row : rowsOf(stages)) object[row.key] = json(row.time);
+  return object;
 }
 
 }  // namespace
@@ -109,22 +109,20 @@ void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::o
 
 void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
   const pipeline::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
-  out << JsonObject()
-             .addString("scene", scene.name)
-             .addInteger("frames", speed.frames)
-             .addNumber("width", scene.clip.width)
-             .addNumber("height", scene.clip.height)
-             .addNumber("cores", speed.cores)
-             .addString("renderer", speed.renderer)
-             .addString("encoder", speed.encoder)
-             .addNumber("start_up_s", speed.startUp)
-             .addNumber("frames_per_second", speed.framesPerSecond())
-             .add("whole", json(speed.whole))
-             .add("drawing", json(speed.drawing))
-             .addNumber("limit", limit.wall)
-             .addString("limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key)
-             .add("stages", json(speed.stages))
-             .text()
+  out << jsonText({{"scene", scene.name},
+                   {"frames", speed.frames},
+                   {"width", scene.clip.width},
+                   {"height", scene.clip.height},
+                   {"cores", speed.cores},
+                   {"renderer", speed.renderer},
+                   {"encoder", speed.encoder},
+                   {"start_up_s", speed.startUp},
+                   {"frames_per_second", speed.framesPerSecond()},
+                   {"whole", json(speed.whole)},
+                   {"drawing", json(speed.drawing)},
+                   {"limit", limit.wall},
+                   {"limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key},
+                   {"stages", json(speed.stages)}})
       << '\n';
 }
 

@@ -84,16 +84,14 @@ std::string valueText(double value) {
   return roundedText(value, kDigits);
 }
 
-std::string mapJson(const MapTask& task) {
-  return JsonObject()
-      .addString("name", task.scene.name)
-      .addString("title", task.scene.title)
-      .addBool("interrupted", task.interrupted)
-      .addStringOrNull("error", task.error)
-      .add("files", jsonArrayOf(task.written, jsonString))
-      .add("facts", task.facts ? study::factsJson(*task.facts) : "null")
-      .add("expectations", study::expectationsJson(task.expected, *task.scene.map))
-      .text();
+Json mapJson(const MapTask& task) {
+  return {{"name", task.scene.name},
+          {"title", task.scene.title},
+          {"interrupted", task.interrupted},
+          {"error", orNull(task.error)},
+          {"files", task.written},
+          {"facts", task.facts ? study::factsJson(*task.facts) : Json()},
+          {"expectations", study::expectationsJson(task.expected, *task.scene.map)}};
 }
 
 std::vector<MapTask> readMapTasks(const MapArguments& arguments,

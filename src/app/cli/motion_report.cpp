@@ -145,25 +145,20 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
   }
 }
 
-std::string motionsJson(const std::vector<MotionSummary>& motions) {
-  return jsonArrayOf(motions, timeline::motionJson);
+Json motionsJson(const std::vector<MotionSummary>& motions) {
+  return arrayOf(motions, timeline::motionJson);
 }
 
 void reportSimulationAsJson(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
                             const std::vector<MotionSummary>& motions, std::ostream& out) {
-  std::vector<std::string> written;
+  Json written = Json::array();
   for (const WrittenTable& table : tables) {
-    written.push_back(JsonObject()
-                          .addString("path", table.path.string())
-                          .addInteger("rows", static_cast<std::int64_t>(table.rows))
-                          .text());
+    written.push_back({{"path", table.path.string()}, {"rows", table.rows}});
   }
-  out << JsonObject()
-             .addString("name", scene.name)
-             .addString("title", scene.title)
-             .add("tables", jsonArray(written))
-             .add("motions", motionsJson(motions))
-             .text()
+  out << jsonText({{"name", scene.name},
+                   {"title", scene.title},
+                   {"tables", written},
+                   {"motions", motionsJson(motions)}})
       << '\n';
 }
 

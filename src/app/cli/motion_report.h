@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/expectation.h"
 #include "scene/scene.h"
 #include "scene/study_settings.h"
@@ -37,7 +38,7 @@ void reportNotes(const scene::Scene& scene, const std::vector<timeline::MotionSu
 void reportMotions(const std::vector<timeline::MotionSummary>& motions, std::ostream& out);
 
 /// Returns the same as a JSON array. Unknown values are null.
-std::string motionsJson(const std::vector<timeline::MotionSummary>& motions);
+Json motionsJson(const std::vector<timeline::MotionSummary>& motions);
 
 /// A table that was written.
 struct WrittenTable {

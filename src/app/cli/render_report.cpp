@@ -76,16 +76,15 @@ void noteOtherSettings(const std::string& start, std::vector<std::string> items,
   if (!others.empty()) out << start + oneLine(listed(others)) + '\n';
 }
 
-void addResult(const pipeline::RenderResult& result, const pipeline::RenderOptions& options,
-               JsonObject& object) {
-  object.addInteger("frames_written", result.framesWritten)
-      .addInteger("frames_kept", result.framesKept)
-      .add("files", jsonArrayOf(filesOf(result, options),
-                                [](const fs::path& file) { return jsonString(file.string()); }))
-      .addStringOrNull("frame_folder", frameFolder(result, options))
-      .add("replaced", jsonArrayOf(result.replaced, jsonString))
-      .add("kept_of_other_settings", jsonArrayOf(result.others, jsonString))
-      .addStringOrNull("note", result.remainder);
+Json resultJson(const pipeline::RenderResult& result, const pipeline::RenderOptions& options) {
+  const auto pathOf = [](const fs::path& file) { return file.string(); };
+  return {{"frames_written", result.framesWritten},
+          {"frames_kept", result.framesKept},
+          {"files", arrayOf(filesOf(result, options), pathOf)},
+          {"frame_folder", orNull(frameFolder(result, options))},
+          {"replaced", result.replaced},
+          {"kept_of_other_settings", result.others},
+          {"note", orNull(result.remainder)}};
 }
 
 }  // namespace
@@ -142,26 +141,26 @@ void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
   if (!result.interrupted) reportNotes(rendered.scene, rendered.motions, out);
 }
 
-std::string renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options) {
+Json renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options) {
   const scene::Scene& scene = rendered.scene;
   const pipeline::RenderStart start = rendered.start.value_or(pipeline::RenderStart{});
-  JsonObject object;
-  object.addString("name", scene.name)
-      .addString("title", scene.title)
-      .addInteger("width", scene.clip.width)
-      .addInteger("height", scene.clip.height)
-      .addNumber("frames_per_second",
-                 1.0 * scene.clip.frameRate.numerator / scene.clip.frameRate.denominator)
-      .addNumber("duration_s", scene.clip.duration)
-      .addStringOrNull("renderer", start.renderer)
-      .addStringOrNull("encoders", start.encoders)
-      .addBool("already_done", rendered.result && rendered.result->wasDone)
-      .addBool("interrupted", rendered.interrupted)
-      .addStringOrNull("error", rendered.error);
   pipeline::RenderResult none;
   none.interrupted = true;
-  addResult(rendered.result.value_or(none), options, object);
-  return object.add("motions", motionsJson(rendered.motions)).text();
+  Json object{{"name", scene.name},
+              {"title", scene.title},
+              {"width", scene.clip.width},
+              {"height", scene.clip.height},
+              {"frames_per_second",
+               1.0 * scene.clip.frameRate.numerator / scene.clip.frameRate.denominator},
+              {"duration_s", scene.clip.duration},
+              {"renderer", orNull(start.renderer)},
+              {"encoders", orNull(start.encoders)},
+              {"already_done", rendered.result && rendered.result->wasDone},
+              {"interrupted", rendered.interrupted},
+              {"error", orNull(rendered.error)}};
+  object.update(resultJson(rendered.result.value_or(none), options));
+  object["motions"] = motionsJson(rendered.motions);
+  return object;
 }
 
 }  // namespace rotatebook::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 #include "timeline/motion_summary.h"
@@ -37,6 +38,6 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
 void reportRenderNotes(const RenderedScene& rendered, std::ostream& out);
 
 /// Returns all of it as a JSON object.
-std::string renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options);
+Json renderJson(const RenderedScene& rendered, const pipeline::RenderOptions& options);
 
 }  // namespace rotatebook::cli

@@ -68,45 +68,45 @@ struct CheckArguments {
   bool json = false, print = false;
 };
 
-JsonObject fileObject(const SceneFile& file) {
-  JsonObject object;
-  object.addString("path", file.path.string())
-      .addBool("ok", file.errors.empty())
-      .add("errors", jsonArrayOf(file.errors, jsonString));
+Json fileObject(const SceneFile& file) {
+  Json object;
+  object["path"] = file.path.string();
+  object["ok"] = file.errors.empty();
+  object["errors"] = file.errors;
   return object;
 }
 
-std::string labelsJson(const scene::Scene& scene) {
-  if (!scene.hasPanels()) return "[]";
-  return jsonArrayOf(scene.motions,
-                     [](const scene::Panel& panel) { return jsonString(panel.label); });
+Json labelsJson(const scene::Scene& scene) {
+  if (!scene.hasPanels()) return Json::array();
+  return arrayOf(scene.motions, [](const scene::Panel& panel) { return panel.label; });
 }
 
-std::string checkJson(const SceneFile& file) {
-  JsonObject object = fileObject(file);
-  object.add("notes", jsonArrayOf(file.notes, jsonString));
-  if (!file.scene) return object.text();
-  if (file.frames) object.addInteger("frames", *file.frames);
-  return object.add("panels", labelsJson(*file.scene)).text();
+Json checkJson(const SceneFile& file) {
+  Json object = fileObject(file);
+  object["notes"] = file.notes;
+  if (!file.scene) return object;
+  if (file.frames) object["frames"] = *file.frames;
+  object["panels"] = labelsJson(*file.scene);
+  return object;
 }
 
-std::string listJson(const SceneFile& file) {
-  JsonObject object = fileObject(file);
-  if (!file.scene) return object.text();
+Json listJson(const SceneFile& file) {
+  Json object = fileObject(file);
+  if (!file.scene) return object;
   const scene::Scene& scene = *file.scene;
-  return object.addString("name", scene.name)
-      .addString("title", scene.title)
-      .addNumber("duration_s", scene.clip.duration)
-      .addInteger("width", scene.clip.width)
-      .addInteger("height", scene.clip.height)
-      .addInteger("frames", scene.clip.frameCount())
-      .add("panels", labelsJson(scene))
-      .addBool("has_study", scene.study.has_value())
-      .text();
+  object["name"] = scene.name;
+  object["title"] = scene.title;
+  object["duration_s"] = scene.clip.duration;
+  object["width"] = scene.clip.width;
+  object["height"] = scene.clip.height;
+  object["frames"] = scene.clip.frameCount();
+  object["panels"] = labelsJson(scene);
+  object["has_study"] = scene.study.has_value();
+  return object;
 }
 
-void printJson(const std::vector<SceneFile>& files, std::string (*asJson)(const SceneFile&)) {
-  std::cout << JsonObject().add("scenes", jsonArrayOf(files, asJson)).text() << '\n';
+void printJson(const std::vector<SceneFile>& files, Json (*asJson)(const SceneFile&)) {
+  std::cout << jsonText({{"scenes", arrayOf(files, asJson)}}) << '\n';
 }
 
 int checkScenes(const CheckArguments& arguments) {

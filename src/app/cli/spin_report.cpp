@@ -138,23 +138,19 @@ std::string equalText(EqualMoments equal) {
   return kTexts[static_cast<std::size_t>(equal)];
 }
 
-std::string eulerJson(const std::optional<timeline::EulerSteps>& euler) {
-  if (!euler) return "null";
-  JsonObject object;
-  euler->substeps ? object.addInteger("substeps", *euler->substeps)
-                  : object.add("substeps", "null");
-  return object.addInteger("tried", euler->tried).addNumber("h_s", euler->step).text();
+Json eulerJson(const timeline::EulerSteps& euler) {
+  return {{"substeps", orNull(euler.substeps)}, {"tried", euler.tried}, {"h_s", euler.step}};
 }
 
-void addPeriod(const Spin& spin, JsonObject& object) {
+Json periodJson(const Spin& spin) {
   const auto number = [&](double SpinPeriod::*member) {
-    return spin.period ? std::optional((*spin.period).*member) : std::nullopt;
+    return spin.period ? Json((*spin.period).*member) : Json();
   };
-  object.addNumberOrNull("period_s", number(&SpinPeriod::time))
-      .addNumberOrNull("turn_rad", number(&SpinPeriod::turn))
-      .addNumberOrNull("dynamic_turn_rad", number(&SpinPeriod::dynamicTurn))
-      .addNumberOrNull("geometric_turn_rad", number(&SpinPeriod::geometricTurn))
-      .addNumberOrNull("axis_turn_rad", number(&SpinPeriod::axisTurn));
+  return {{"period_s", number(&SpinPeriod::time)},
+          {"turn_rad", number(&SpinPeriod::turn)},
+          {"dynamic_turn_rad", number(&SpinPeriod::dynamicTurn)},
+          {"geometric_turn_rad", number(&SpinPeriod::geometricTurn)},
+          {"axis_turn_rad", number(&SpinPeriod::axisTurn)}};
 }
 
 }  // namespace
@@ -209,31 +205,30 @@ void reportSpin(const SpinNumbers& numbers, std::ostream& out) {
   for (const std::string& remark : remarksOn(numbers)) out << "  " << remark << '\n';
 }
 
-std::string spinJson(const SpinNumbers& numbers) {
+Json spinJson(const SpinNumbers& numbers) {
   const Spin& spin = numbers.spin;
-  JsonObject object;
-  object.addStringOrNull("label", numbers.motion.label)
-      .addString("model", nameOf(scene::kModels, numbers.motion.simulation.model))
-      .add("moments_kg_m2", jsonArrayOf(spin.moments, shortestText))
-      .add("axes", jsonArrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); }))
-      .addString("equal_moments", equalText(spin.equal))
-      .add("angular_velocity_rad_per_s", vectorJson(spin.angularVelocity))
-      .add("angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum))
-      .addNumber("energy_j", spin.energy)
-      .addString("spun_axis", kMoments[spin.spunAxis])
-      .addNumber("off_axis_rad", spin.offAxis)
-      .addBool("steady", spin.isSteady)
-      .addInteger("regime", static_cast<int>(spin.regime))
-      .addNumberOrNull("growth_per_s", spin.growth)
-      .addNumberOrNull("oscillation_rad_per_s", spin.oscillation)
-      .addNumberOrNull("first_flip_s", spin.firstFlip)
-      .addNumberOrNull("flip_interval_s", spin.flipInterval());
-  addPeriod(spin, object);
-  return object.addNumberOrNull("margin", spin.margin)
-      .addNumberOrNull("to_separatrix_rad", spin.toSeparatrix)
-      .add("euler", eulerJson(numbers.euler))
-      .add("remarks", jsonArrayOf(remarksOn(numbers), jsonString))
-      .text();
+  Json object{{"label", orNull(numbers.motion.label)},
+              {"model", nameOf(scene::kModels, numbers.motion.simulation.model)},
+              {"moments_kg_m2", spin.moments},
+              {"axes", arrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); })},
+              {"equal_moments", equalText(spin.equal)},
+              {"angular_velocity_rad_per_s", vectorJson(spin.angularVelocity)},
+              {"angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum)},
+              {"energy_j", spin.energy},
+              {"spun_axis", kMoments[spin.spunAxis]},
+              {"off_axis_rad", spin.offAxis},
+              {"steady", spin.isSteady},
+              {"regime", static_cast<int>(spin.regime)},
+              {"growth_per_s", orNull(spin.growth)},
+              {"oscillation_rad_per_s", orNull(spin.oscillation)},
+              {"first_flip_s", orNull(spin.firstFlip)},
+              {"flip_interval_s", orNull(spin.flipInterval())}};
+  object.update(periodJson(spin));
+  object.update({{"margin", orNull(spin.margin)},
+                 {"to_separatrix_rad", orNull(spin.toSeparatrix)},
+                 {"euler", numbers.euler ? eulerJson(*numbers.euler) : Json()},
+                 {"remarks", remarksOn(numbers)}});
+  return object;
 }
 
 }  // namespace rotatebook::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/scene.h"
 #include "timeline/euler_steps.h"
 #include "timeline/spin.h"
@@ -31,6 +32,6 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers);
 void reportSpin(const SpinNumbers& numbers, std::ostream& out);
 
 /// Returns the same as a JSON object. Unknown values are null.
-std::string spinJson(const SpinNumbers& numbers);
+Json spinJson(const SpinNumbers& numbers);
 
 }  // namespace rotatebook::cli

@@ -34,6 +34,7 @@
 #include "scene/names.h"
 #include "scene/source_locations.h"
 #include "store/fingerprint.h"
+#include "study/bounds_json.h"
 #include "study/study.h"
 #include "study/study_csv.h"
 #include "system/atomic_file.h"
@@ -89,56 +90,55 @@ std::string runLine(const StudyRow& row, const StudySettings& study) {
   return fmt::format("{}: {}{}", joined({row.curve, row.value}), joined(numbers), end);
 }
 
-std::string expectedJson(const study::StudyExpectation& expected) {
-  return scene::boundsJson(expected.subject(), rowOf(expected.expectation.measure).meaning,
+Json expectedJson(const study::StudyExpectation& expected) {
+  return study::boundsJson(expected.subject(), rowOf(expected.expectation.measure).meaning,
                            expected.expectation.bounds(), expected.measured);
 }
 
-std::string orderJson(const study::CurveOrder& order) {
+Json orderJson(const study::CurveOrder& order) {
   const study::OrderFit& fit = order.fit;
   const bool known = !std::isnan(fit.order);
-  return JsonObject()
-      .addString("curve", order.curve)
-      .addNumber("order", fit.order)
-      .addInteger("runs", fit.runs)
-      .addNumber("shortest_h_s", known ? fit.shortest : fit.order)
-      .addNumber("longest_h_s", known ? fit.longest : fit.order)
-      .text();
+  return {{"curve", order.curve},
+          {"order", fit.order},
+          {"runs", fit.runs},
+          {"shortest_h_s", known ? fit.shortest : fit.order},
+          {"longest_h_s", known ? fit.longest : fit.order}};
 }
 
-std::string runJson(const StudyRow& row, const StudySettings& study) {
-  JsonObject object;
-  object.addString("value", row.value).addString("curve", row.curve);
+Json runJson(const StudyRow& row, const StudySettings& study) {
+  Json object;
+  object["value"] = row.value;
+  object["curve"] = row.curve;
   for (std::size_t i = 0; i < study.measures.size(); ++i) {
     if (study.measures[i] == Measure::Order) {
-      object.addNumber("h_s", row.step)
-          .addNumber("error_deg", row.measured[i])
-          .addNumber("ns_per_step", row.nsPerStep);
+      object["h_s"] = row.step;
+      object["error_deg"] = row.measured[i];
+      object["ns_per_step"] = row.nsPerStep;
     } else {
-      object.addNumber(std::string(nameOf(study.measures[i])), row.measured[i]);
+      object[std::string(nameOf(study.measures[i]))] = row.measured[i];
     }
   }
-  return object.addString("status", row.end.text()).text();
+  object["status"] = row.end.text();
+  return object;
 }
 
 }  // namespace
 
-std::string studyJson(const StudiedScene& studied) {
+Json studyJson(const StudiedScene& studied) {
   const StudySettings& study = *studied.scene.study;
   const study::Study result = studied.result.value_or(study::Study{});
-  return resultOf("study")
-      .addString("name", studied.scene.name)
-      .addString("title", studied.scene.title)
-      .addString("scene_xxh128", studied.checksum)
-      .addString("x", study.x.key)
-      .addString("curves", study.curves ? study.curves->key : "")
-      .addBool("interrupted", studied.interrupted)
-      .addStringOrNull("error", studied.error)
-      .add("files", jsonArrayOf(studied.written, jsonString))
-      .add("runs", jsonArrayOf(result.rows, [&](const auto& row) { return runJson(row, study); }))
-      .add("orders", jsonArrayOf(result.orders, orderJson))
-      .add("expectations", jsonArrayOf(expectedOf(result, study), expectedJson))
-      .text();
+  return {{"result", "study"},
+          {"name", studied.scene.name},
+          {"title", studied.scene.title},
+          {"scene_xxh128", studied.checksum},
+          {"x", study.x.key},
+          {"curves", study.curves ? study.curves->key : ""},
+          {"interrupted", studied.interrupted},
+          {"error", orNull(studied.error)},
+          {"files", studied.written},
+          {"runs", arrayOf(result.rows, [&](const auto& row) { return runJson(row, study); })},
+          {"orders", arrayOf(result.orders, orderJson)},
+          {"expectations", arrayOf(expectedOf(result, study), expectedJson)}};
 }
 
 bool reportStudy(const study::Study& result, const StudySettings& study, std::ostream& out) {
@@ -264,7 +264,7 @@ int finish(StudiedScene& task, std::ostream& out) {
     note(plotted.path);
   }
   note(task.files.json);
-  system::writeFileAtomically(task.files.json, studyJson(besideItsFiles(task)) + '\n');
+  system::writeFileAtomically(task.files.json, jsonText(studyJson(besideItsFiles(task))) + '\n');
   out << "  wrote " << oneLine(listed(task.written)) << std::endl;
   return status;
 }

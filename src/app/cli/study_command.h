@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/scene.h"
 #include "store/study_files.h"
 #include "study/study.h"
@@ -28,6 +29,6 @@ struct StudiedScene {
 };
 
 /// Returns the result as one JSON object.
-std::string studyJson(const StudiedScene& studied);
+Json studyJson(const StudiedScene& studied);
 
 }  // namespace rotatebook::cli

@@ -35,18 +35,8 @@ std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
 
-/// Returns the rows of a tensor, as JSON and TOML have them.
-std::string tensorText(const Eigen::Matrix3d& tensor) {
-  return jsonArray(
-      {vectorJson(tensor.row(0)), vectorJson(tensor.row(1)), vectorJson(tensor.row(2))});
-}
-
-std::string ratioJson(const recording::Estimate& ratio) {
-  return JsonObject()
-      .addNumber("value", ratio.value)
-      .addNumber("low", ratio.low)
-      .addNumber("high", ratio.high)
-      .text();
+Json ratioJson(const recording::Estimate& ratio) {
+  return {{"value", ratio.value}, {"low", ratio.low}, {"high", ratio.high}};
 }
 
 /// Returns a sentence on what the intervals hold.
@@ -65,27 +55,29 @@ std::string intervalsText(const recording::TossFit& fit) {
   return "the intervals hold in 95 of 100 tosses by noise alone; " + residual;
 }
 
-JsonObject& addFit(JsonObject& object, const recording::TossFit& fit) {
-  return object.addInteger("readings", static_cast<std::int64_t>(fit.readings))
-      .add("I1_over_I3", ratioJson(fit.ratios[0]))
-      .add("I2_over_I3", ratioJson(fit.ratios[1]))
-      .add("inertia", tensorText(fit.inertia))
-      .add("angular_velocity", vectorJson(fit.start))
-      .add("bias", vectorJson(fit.bias))
-      .addNumber("rest_s", fit.rest)
-      .addNumber("residual", fit.residual)
-      .addNumber("noise", fit.noise)
-      .addNumber("widening", fit.widening)
-      .addNumber("gap", fit.gap)
-      .add("notes", jsonArrayOf(fit.notes, jsonString));
+Json fitJson(const recording::TossFit& fit) {
+  return {{"readings", fit.readings},
+          {"I1_over_I3", ratioJson(fit.ratios[0])},
+          {"I2_over_I3", ratioJson(fit.ratios[1])},
+          {"inertia", matrixJson(fit.inertia)},
+          {"angular_velocity", vectorJson(fit.start)},
+          {"bias", vectorJson(fit.bias)},
+          {"rest_s", fit.rest},
+          {"residual", fit.residual},
+          {"noise", fit.noise},
+          {"widening", fit.widening},
+          {"gap", fit.gap},
+          {"notes", fit.notes}};
 }
 
-std::string throwJson(const recording::Throw& one) {
-  JsonObject object;
-  object.addNumber("from_s", one.from).addNumber("to_s", one.to).addNumber("spin", one.spin);
-  object.addBool("flight", one.isFlight).addBool("accepted", one.fit.has_value());
-  if (!one.fit) return object.addString("refusal", one.refusal).text();
-  return addFit(object, *one.fit).text();
+Json throwJson(const recording::Throw& one) {
+  Json object{{"from_s", one.from},
+              {"to_s", one.to},
+              {"spin", one.spin},
+              {"flight", one.isFlight},
+              {"accepted", one.fit.has_value()}};
+  object.update(one.fit ? fitJson(*one.fit) : Json{{"refusal", one.refusal}});
+  return object;
 }
 
 /// Returns the keys of [simulation] that state what `options` does.
@@ -126,9 +118,9 @@ void reportToss(const recording::TossFit& fit, const std::string& name, std::ost
 }
 
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
-  JsonObject object;
-  object.addString("name", name).addNumber("from_s", fit.from).addNumber("to_s", fit.to);
-  out << addFit(object, fit).text() << '\n';
+  Json object{{"name", name}, {"from_s", fit.from}, {"to_s", fit.to}};
+  object.update(fitJson(fit));
+  out << jsonText(object) << '\n';
 }
 
 /// Prints a line for each throw of a recording: its time and spin, and its ratios or why it is
@@ -161,8 +153,7 @@ void reportThrows(const std::vector<recording::Throw>& throws, const std::string
 
 void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
                         std::ostream& out) {
-  out << JsonObject().addString("name", name).add("throws", jsonArrayOf(throws, throwJson)).text()
-      << '\n';
+  out << jsonText({{"name", name}, {"throws", arrayOf(throws, throwJson)}}) << '\n';
 }
 
 /// Returns a scene of the toss: the recording beside the exact motion from its fitted start, at a
@@ -206,9 +197,9 @@ model = "exact"
 [panel.initial]
 angular_velocity = {}
 )",
-      tensorText(kLargestMoment * fit.inertia), shortestText(kSpeed), roundedText(duration, 6),
-      quotedText(file), shortestText(fit.from), shortestText(fit.to), vectorJson(fit.bias),
-      statedKeys(options), vectorJson(fit.start));
+      jsonText(matrixJson(kLargestMoment * fit.inertia)), shortestText(kSpeed),
+      roundedText(duration, 6), quotedText(file), shortestText(fit.from), shortestText(fit.to),
+      jsonText(vectorJson(fit.bias)), statedKeys(options), jsonText(vectorJson(fit.start)));
 }
 
 struct TossArguments {

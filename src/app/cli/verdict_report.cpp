@@ -121,53 +121,45 @@ std::string spinsLine(const Verdict& verdict) {
   return parts.empty() ? "" : "  " + joined(parts, "; ") + '\n';
 }
 
-std::string boundJson(const BoundResult& one) {
-  return JsonObject()
-      .addString("name", one.name)
-      .addString("text", one.text)
-      .addBool("met", one.met)
-      .text();
+Json boundJson(const BoundResult& one) {
+  return {{"name", one.name}, {"text", one.text}, {"met", one.met}};
 }
 
-std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds) {
+Json verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds) {
   const Verdict& verdict = motion.verdict;
   if (!motion.mistake.empty()) {
-    return JsonObject()
-        .addString("name", motion.name)
-        .addString("mistake", motion.mistake)
-        .add("notes", jsonArrayOf(motion.notes, jsonString))
-        .add("bounds", "[]")
-        .text();
+    return {{"name", motion.name},
+            {"mistake", motion.mistake},
+            {"notes", motion.notes},
+            {"bounds", Json::array()}};
   }
-  return JsonObject()
-      .addString("name", motion.name)
-      .addInteger("samples", static_cast<std::int64_t>(verdict.samples))
-      .addNumber("duration_s", verdict.duration)
-      .addNumber("error_deg", verdict.errorDeg)
-      .addNumber("end_error_deg", verdict.endErrorDeg)
-      .addNumberOrNull("visible_from_s", verdict.visibleFrom)
-      .addNumber("energy_drift", verdict.energyDrift)
-      .addNumber("end_energy_drift", verdict.endEnergyDrift)
-      .addNumber("L_drift", verdict.momentumDrift)
-      .addNumber("end_L_drift", verdict.endMomentumDrift)
-      .addNumber("L_turn_deg", verdict.momentumTurnDeg)
-      .addInteger("half_turns", verdict.halfTurns)
-      .addInteger("half_turns_due", verdict.halfTurnsDue)
-      .addInteger("regime", static_cast<int>(verdict.start))
-      .addInteger("end_regime", static_cast<int>(verdict.end))
-      .addString("method", timeline::methodThat(verdict))
-      .addString("spins", sourceText(verdict.spins.source))
-      .addNumber("spin_uncertainty", verdict.spins.uncertainty)
-      .addNumber("rates_difference", verdict.spins.difference)
-      .addNumber("rates_factor", verdict.spins.fit.factor)
-      .add("rates_bias", vectorJson(verdict.spins.fit.bias))
-      .add("rates_turn_deg", vectorJson(verdict.spins.fit.turn * (180 / std::numbers::pi)))
-      .addNumber("scatter", verdict.scatter)
-      .addNumberOrNull("start_fitted_by", verdict.fittedBy)
-      .add("flaws", jsonArrayOf(verdict.flaws, jsonString))
-      .add("notes", jsonArrayOf(motion.notes, jsonString))
-      .add("bounds", jsonArrayOf(resultsOf(verdict, bounds), boundJson))
-      .text();
+  return {{"name", motion.name},
+          {"samples", static_cast<std::int64_t>(verdict.samples)},
+          {"duration_s", verdict.duration},
+          {"error_deg", verdict.errorDeg},
+          {"end_error_deg", verdict.endErrorDeg},
+          {"visible_from_s", orNull(verdict.visibleFrom)},
+          {"energy_drift", verdict.energyDrift},
+          {"end_energy_drift", verdict.endEnergyDrift},
+          {"L_drift", verdict.momentumDrift},
+          {"end_L_drift", verdict.endMomentumDrift},
+          {"L_turn_deg", verdict.momentumTurnDeg},
+          {"half_turns", verdict.halfTurns},
+          {"half_turns_due", verdict.halfTurnsDue},
+          {"regime", static_cast<int>(verdict.start)},
+          {"end_regime", static_cast<int>(verdict.end)},
+          {"method", timeline::methodThat(verdict)},
+          {"spins", sourceText(verdict.spins.source)},
+          {"spin_uncertainty", verdict.spins.uncertainty},
+          {"rates_difference", verdict.spins.difference},
+          {"rates_factor", verdict.spins.fit.factor},
+          {"rates_bias", vectorJson(verdict.spins.fit.bias)},
+          {"rates_turn_deg", vectorJson(verdict.spins.fit.turn * (180 / std::numbers::pi))},
+          {"scatter", verdict.scatter},
+          {"start_fitted_by", orNull(verdict.fittedBy)},
+          {"flaws", verdict.flaws},
+          {"notes", motion.notes},
+          {"bounds", arrayOf(resultsOf(verdict, bounds), boundJson)}};
 }
 
 }  // namespace
@@ -231,11 +223,9 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
 
 void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                           std::ostream& out) {
-  out << JsonObject()
-             .addBool("met", allMet(motions, bounds))
-             .add("motions",
-                  jsonArrayOf(motions, [&](const auto& one) { return verdictJson(one, bounds); }))
-             .text()
+  out << jsonText({{"met", allMet(motions, bounds)},
+                   {"motions",
+                    arrayOf(motions, [&](const auto& one) { return verdictJson(one, bounds); })}})
       << '\n';
 }
 

@@ -152,45 +152,36 @@ VerdictRow rowOf(pipeline::Verdict verdict) {
   return {"not proved", kUnmet};
 }
 
-std::string json(const ClipCheck& check) {
-  return JsonObject()
-      .addString("check", check.what)
-      .addBool("passed", check.passed)
-      .addString("measured", check.measured)
-      .addString("wanted", check.wanted)
-      .text();
+Json json(const ClipCheck& check) {
+  return {{"check", check.what},
+          {"passed", check.passed},
+          {"measured", check.measured},
+          {"wanted", check.wanted}};
 }
 
-std::string json(const pipeline::Deviation& deviation) {
-  JsonObject object;
+Json json(const pipeline::Deviation& deviation) {
+  Json object;
   for (const pipeline::MeasureRow& row : pipeline::kMeasures) {
-    object.addNumber(row.name, deviation.*row.value);
+    object[row.name] = deviation.*row.value;
   }
-  return object.text();
+  return object;
 }
 
-std::string json(const PictureCheck& check) {
-  return JsonObject()
-      .addInteger("frame", check.frame)
-      .addBool("passed", check.passed())
-      .addNumber("quantiser", check.quantiser)
-      .add("measured", json(check.measured))
-      .add("bound", json(check.bound))
-      .add("closer_to", check.closerTo ? std::to_string(*check.closerTo) : "null")
-      .text();
+Json json(const PictureCheck& check) {
+  return {{"frame", check.frame},         {"passed", check.passed()},
+          {"quantiser", check.quantiser}, {"measured", json(check.measured)},
+          {"bound", json(check.bound)},   {"closer_to", orNull(check.closerTo)}};
 }
 
-std::string json(const store::Provenance& provenance) {
-  return JsonObject()
-      .addString("scene", provenance.scene)
-      .addString("version", provenance.program)
-      .addString("renderer", provenance.renderer)
-      .addString("ffmpeg", provenance.ffmpeg)
-      .text();
+Json json(const store::Provenance& provenance) {
+  return {{"scene", provenance.scene},
+          {"version", provenance.program},
+          {"renderer", provenance.renderer},
+          {"ffmpeg", provenance.ffmpeg}};
 }
 
-std::string json(store::FrameRange range) {
-  return jsonArray({std::to_string(range.first), std::to_string(range.end)});
+Json json(store::FrameRange range) {
+  return Json::array({range.first, range.end});
 }
 
 /// Prints what made the clip, a line for each check with what was measured beside its bound, and a
@@ -210,18 +201,16 @@ void reportVerification(const std::string& clip, const Verification& found, std:
 void reportVerificationAsJson(const std::string& clip, const Verification& found,
                               std::ostream& out) {
   const auto asJson = [](const auto& check) { return json(check); };
-  out << JsonObject()
-             .addString("clip", clip)
-             .addBool("proved", found.verdict() == pipeline::Verdict::Proved)
-             .addString("verdict", rowOf(found.verdict()).word)
-             .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
-             .add("made_with", json(found.record.provenance))
-             .add("frames", json(found.range))
-             .addInteger("whole_frames", found.wholeCount)
-             .add("tools_differ", jsonArrayOf(found.toolsDiffer, jsonString))
-             .add("checks", jsonArrayOf(found.checks, asJson))
-             .add("pictures", jsonArrayOf(found.pictures, asJson))
-             .text()
+  out << jsonText({{"clip", clip},
+                   {"proved", found.verdict() == pipeline::Verdict::Proved},
+                   {"verdict", rowOf(found.verdict()).word},
+                   {"quantiser", orNull(found.quantiser)},
+                   {"made_with", json(found.record.provenance)},
+                   {"frames", json(found.range)},
+                   {"whole_frames", found.wholeCount},
+                   {"tools_differ", found.toolsDiffer},
+                   {"checks", arrayOf(found.checks, asJson)},
+                   {"pictures", arrayOf(found.pictures, asJson)}})
       << '\n';
 }
 

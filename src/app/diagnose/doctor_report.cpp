@@ -140,73 +140,68 @@ std::string verdict(const Checkup& checkup) {
                                               count == 1 ? "problem is" : "problems are"));
 }
 
-std::string json(const ReferenceCheck& check) {
-  JsonObject object;
-  object.addBool("passed", check.passed()).addStringOrNull("error", check.failure);
-  if (!check.failure.empty()) return object.text();
-  return object.addNumber("largest", check.comparison.largest)
-      .addNumber("differing_percent", check.comparison.differingPercent)
-      .addNumber("bound_largest", check.tolerance.largest)
-      .addNumber("bound_percent", check.tolerance.failPercent)
-      .text();
+Json json(const ReferenceCheck& check) {
+  Json object;
+  object["passed"] = check.passed();
+  object["error"] = orNull(check.failure);
+  if (!check.failure.empty()) return object;
+  object["largest"] = check.comparison.largest;
+  object["differing_percent"] = check.comparison.differingPercent;
+  object["bound_largest"] = check.tolerance.largest;
+  object["bound_percent"] = check.tolerance.failPercent;
+  return object;
 }
 
-std::string json(const std::optional<render::CallFailure>& failure) {
-  if (!failure) return "null";
-  return JsonObject().addString("call", failure->call).addString("error", failure->error).text();
+Json json(const std::optional<render::CallFailure>& failure) {
+  if (!failure) return nullptr;
+  return {{"call", failure->call}, {"error", failure->error}};
 }
 
-std::string json(const DisplayCheck& check, bool byDefault) {
+Json json(const DisplayCheck& check, bool byDefault) {
   const render::DisplayCandidate& candidate = check.candidate;
   const bool isDevice = candidate.kind == render::DisplayCandidate::Kind::Device;
-  JsonObject object;
-  object.addString("name", candidate.name())
-      .addNumberOrNull("device", isDevice ? std::optional<double>(candidate.index) : std::nullopt)
-      .addBool("default", byDefault)
-      .addStringOrNull("drm_node", candidate.drmNode)
-      .addStringOrNull("render_node", candidate.renderNode)
-      .addNumberOrNull("cuda", candidate.cudaId)
-      .add("failure", json(check.failure));
-  if (check.failure) return object.text();
-  return object.addString("vendor", check.vendor)
-      .addString("renderer", check.renderer)
-      .addString("opengl", check.version)
-      .addNumber("samples", check.samples)
-      .addBool("software", check.software)
-      .add("reference_picture", json(check.reference))
-      .text();
+  Json object;
+  object["name"] = candidate.name();
+  object["device"] = isDevice ? Json(candidate.index) : Json();
+  object["default"] = byDefault;
+  object["drm_node"] = orNull(candidate.drmNode);
+  object["render_node"] = orNull(candidate.renderNode);
+  object["cuda"] = orNull(candidate.cudaId);
+  object["failure"] = json(check.failure);
+  if (check.failure) return object;
+  object["vendor"] = check.vendor;
+  object["renderer"] = check.renderer;
+  object["opengl"] = check.version;
+  object["samples"] = check.samples;
+  object["software"] = check.software;
+  object["reference_picture"] = json(check.reference);
+  return object;
 }
 
-std::string json(const GraphicsCheck& graphics) {
-  std::vector<std::string> candidates;
+Json json(const GraphicsCheck& graphics) {
+  Json candidates = Json::array();
   for (std::size_t i = 0; i < graphics.candidates.size(); ++i) {
     candidates.push_back(json(graphics.candidates[i], graphics.byDefault == i));
   }
-  return JsonObject()
-      .add("library_failure", json(graphics.library))
-      .add("devices_failure", json(graphics.devices))
-      .add("displays", jsonArray(candidates))
-      .text();
+  return {{"library_failure", json(graphics.library)},
+          {"devices_failure", json(graphics.devices)},
+          {"displays", candidates}};
 }
 
-std::string json(const video::EncoderCheck& check) {
-  return JsonObject()
-      .addString("format", nameOf(check.format))
-      .addStringOrNull("encoder", check.found)
-      .addStringOrNull("error", check.failure)
-      .text();
+Json json(const video::EncoderCheck& check) {
+  return {{"format", nameOf(check.format)},
+          {"encoder", orNull(check.found)},
+          {"error", orNull(check.failure)}};
 }
 
-std::string json(const FolderCheck& folder) {
-  return JsonObject()
-      .addString("path", folder.path.string())
-      .addInteger("free_bytes", static_cast<std::int64_t>(folder.freeBytes))
-      .addStringOrNull("error", folder.failure)
-      .text();
+Json json(const FolderCheck& folder) {
+  return {{"path", folder.path.string()},
+          {"free_bytes", folder.freeBytes},
+          {"error", orNull(folder.failure)}};
 }
 
-std::string json(const Problem& problem) {
-  return JsonObject().addString("what", problem.what).addString("remedy", problem.remedy).text();
+Json json(const Problem& problem) {
+  return {{"what", problem.what}, {"remedy", problem.remedy}};
 }
 
 }  // namespace
@@ -221,17 +216,15 @@ void reportCheckup(const Checkup& checkup, std::ostream& out) {
 
 void reportCheckupAsJson(const Checkup& checkup, std::ostream& out) {
   const auto asJson = [](const auto& part) { return json(part); };
-  out << JsonObject()
-             .addBool("ready", checkup.ready())
-             .addString("version", kVersion)
-             .add("graphics", json(checkup.graphics))
-             .add("encoders", jsonArrayOf(checkup.encoders, asJson))
-             .addStringOrNull("font_error", checkup.fontFailure)
-             .add("folder", json(checkup.folder))
-             .addNumber("cores", checkup.cores)
-             .addInteger("memory_bytes", static_cast<std::int64_t>(checkup.memory))
-             .add("problems", jsonArrayOf(checkup.problems, asJson))
-             .text()
+  out << jsonText({{"ready", checkup.ready()},
+                   {"version", kVersion},
+                   {"graphics", json(checkup.graphics)},
+                   {"encoders", arrayOf(checkup.encoders, asJson)},
+                   {"font_error", orNull(checkup.fontFailure)},
+                   {"folder", json(checkup.folder)},
+                   {"cores", checkup.cores},
+                   {"memory_bytes", checkup.memory},
+                   {"problems", arrayOf(checkup.problems, asJson)}})
       << '\n';
 }
 

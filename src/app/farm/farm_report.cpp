@@ -75,37 +75,34 @@ void printState(const PlanState& state, std::ostream& out) {
   if (state.hasFailed()) out << "  the same 'rotatebook submit' sends what is missing once more\n";
 }
 
-std::string taskJson(const TaskState& task) {
-  JsonObject object;
-  object.addString("name", task.name).addString("state", nameOf(task.kind));
-  object.addStringOrNull("node", task.node).addStringOrNull("reason", task.reason);
-  if (task.kind == Kind::Running) object.addInteger("seconds", task.seconds);
-  return object.addStringOrNull("log", task.log.string()).text();
+Json taskJson(const TaskState& task) {
+  Json object;
+  object["name"] = task.name;
+  object["state"] = nameOf(task.kind);
+  object["node"] = orNull(task.node);
+  object["reason"] = orNull(task.reason);
+  if (task.kind == Kind::Running) object["seconds"] = task.seconds;
+  object["log"] = orNull(task.log.string());
+  return object;
 }
 
-std::string sceneJson(const SceneState& scene) {
-  return JsonObject()
-      .addString("name", scene.name)
-      .addInteger("done", scene.done)
-      .addInteger("units", scene.units)
-      .addBool("whole", scene.isWhole)
-      .text();
+Json sceneJson(const SceneState& scene) {
+  return Json{
+      {"name", scene.name}, {"done", scene.done}, {"units", scene.units}, {"whole", scene.isWhole}};
 }
 
-std::string stateJson(const PlanState& state) {
-  return JsonObject()
-      .addString("command", nameOf(state.plan.work))
-      .addString("folder", state.plan.folder.string())
-      .addBool("whole", state.isWhole())
-      .addBool("failed", state.hasFailed())
-      .addNumberOrNull("remaining_s", state.remaining)
-      .addStringOrNull("queue_problem", state.queueProblem)
-      .add("jobs", jsonArrayOf(state.jobs.arrays, jsonString))
-      .addStringOrNull("join_job", state.jobs.join)
-      .add("scenes", jsonArrayOf(state.scenes, sceneJson))
-      .add("tasks", jsonArrayOf(state.tasks, taskJson))
-      .add("join", state.join ? taskJson(*state.join) : "null")
-      .text();
+Json stateJson(const PlanState& state) {
+  return {{"command", nameOf(state.plan.work)},
+          {"folder", state.plan.folder.string()},
+          {"whole", state.isWhole()},
+          {"failed", state.hasFailed()},
+          {"remaining_s", orNull(state.remaining)},
+          {"queue_problem", orNull(state.queueProblem)},
+          {"jobs", state.jobs.arrays},
+          {"join_job", orNull(state.jobs.join)},
+          {"scenes", arrayOf(state.scenes, sceneJson)},
+          {"tasks", arrayOf(state.tasks, taskJson)},
+          {"join", state.join ? taskJson(*state.join) : Json()}};
 }
 
 }  // namespace
@@ -138,7 +135,7 @@ void reportStates(const std::vector<PlanState>& states, std::ostream& out) {
 }
 
 void reportStatesAsJson(const std::vector<PlanState>& states, std::ostream& out) {
-  out << JsonObject().add("plans", jsonArrayOf(states, stateJson)).text() << '\n';
+  out << jsonText({{"plans", arrayOf(states, stateJson)}}) << '\n';
 }
 
 }  // namespace rotatebook::farm

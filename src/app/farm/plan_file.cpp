@@ -1,12 +1,12 @@
 #include "farm/plan_file.h"
 
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/parsed_number.h"
 #include "base/text.h"
 #include "system/atomic_file.h"
@@ -16,8 +16,6 @@ namespace rotatebook::farm {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Json = nlohmann::ordered_json;
 
 constexpr int kPlanVersion = 2;
 

@@ -2,20 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "page/expectation_table.h"
 #include "scene/expectation.h"
 #include "scene/scene.h"
 #include "system/read_file.h"
 
 namespace rotatebook::page {
-
-using Json = nlohmann::json;
 
 /// Returns what `read` makes of the JSON in `file`; nothing unless that is a result of the scene
 /// with this checksum.
@@ -39,7 +37,7 @@ std::optional<double> numberIn(const Json& object, const char* key);
 /// Json::exception, and InputError for a measure that there isn't.
 scene::ExpectationResult expectationIn(const Json& expected);
 
-/// Returns what was expected and measured of a study or a map of `scene`, by scene::boundsJson().
+/// Returns what was expected and measured of a study or a map of `scene`, by study::boundsJson().
 /// Throws InputError unless `file` is the result of the scene with this checksum that
 /// `rotatebook COMMAND` left; `again` is the remedy: "run the study again".
 std::vector<Check> readChecks(const std::filesystem::path& file, const scene::Scene& scene,

@@ -111,7 +111,7 @@ MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const sto
 std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRuns& runs,
                                   const MapResult& result, const store::MapFiles& files) {
   const std::string array = npyOf(result, *scene.map);
-  const std::string json =
+  const Json json =
       mapJson(result, scene, runs,
               {store::mapFingerprint(scene), store::sceneChecksum(scene), checksumOf(array)});
   std::vector<std::string> written;
@@ -128,7 +128,7 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRun
   image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
   for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
     system::writeMarked(plotted.path, plotted.bytes);
-  system::writeFileAtomically(files.json, json);
+  system::writeFileAtomically(files.json, jsonText(json) + '\n');
   store::MapTiles(files.tiles, "").remove();
   return written;
 }

@@ -1,5 +1,6 @@
 #include "store/tables.h"
 
+#include "base/json.h"
 #include "store/fingerprint.h"
 #include "system/atomic_file.h"
 #include "timeline/clip_json.h"
@@ -21,8 +22,8 @@ void writeResult(const std::filesystem::path& file, const scene::Scene& scene,
                  const std::vector<timeline::MotionSummary>& summaries,
                  std::string_view motionSum) {
   const std::string sceneSum = sceneChecksum(scene);
-  system::writeFileAtomically(file,
-                              clipJson(scene, motion, summaries, {sceneSum, motionSum}) + '\n');
+  system::writeFileAtomically(
+      file, jsonText(clipJson(scene, motion, summaries, {sceneSum, motionSum})) + '\n');
 }
 
 }  // namespace rotatebook::store

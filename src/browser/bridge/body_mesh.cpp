@@ -26,22 +26,15 @@ body::Surface surfaceOf(const scene::Motion& motion,
   return scene::surfaceOf(solid);
 }
 
-std::string materialJson(const body::Material& material, const Eigen::Vector3d& size,
-                         std::size_t first, std::size_t count) {
+Json materialJson(const body::Material& material, const Eigen::Vector3d& size, std::size_t first,
+                  std::size_t count) {
   const body::Grain& grain = material.grain;
-  const auto list = [](const auto& numbers) {
-    std::vector<std::string> texts;
-    for (const auto number : numbers) texts.push_back(shortestText(static_cast<double>(number)));
-    return jsonArray(texts);
-  };
-  return JsonObject()
-      .addInteger("first", static_cast<std::int64_t>(first))
-      .addInteger("count", static_cast<std::int64_t>(count))
-      .add("baseColour", list(material.baseColour))
-      .add("metalAndRoughness", list(std::array{material.metalness, material.roughness}))
-      .add("grainsAcross", list(grainsAcross(grain, size)))
-      .add("contrastAndRelief", list(std::array{grain.contrast, grain.relief}))
-      .text();
+  return {{"first", first},
+          {"count", count},
+          {"baseColour", vectorJson(material.baseColour)},
+          {"metalAndRoughness", std::array{material.metalness, material.roughness}},
+          {"grainsAcross", vectorJson(grainsAcross(grain, size))},
+          {"contrastAndRelief", std::array{grain.contrast, grain.relief}}};
 }
 
 /// Returns the vertices as 10 floats each.
@@ -82,7 +75,7 @@ BodyMesh bodyMeshOf(const scene::Motion& motion,
   const body::Surface surface = surfaceOf(motion, fileOf);
   const geometry::Mesh mesh = geometry::makeBodyMesh(surface, motion.body.size);
   BodyMesh made{"", floatsOf(mesh.vertices), {}};
-  std::vector<std::string> parts;
+  Json parts = Json::array();
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     const std::vector<std::uint32_t>& triangles = mesh.parts[i].triangles;
     if (triangles.empty()) continue;
@@ -90,11 +83,8 @@ BodyMesh bodyMeshOf(const scene::Motion& motion,
                                  triangles.size()));
     made.indices.insert(made.indices.end(), triangles.begin(), triangles.end());
   }
-  made.json = JsonObject()
-                  .addInteger("vertices", static_cast<std::int64_t>(mesh.vertices.size()))
-                  .addInteger("indices", static_cast<std::int64_t>(made.indices.size()))
-                  .add("parts", jsonArray(parts))
-                  .text();
+  made.json = jsonText(
+      {{"vertices", mesh.vertices.size()}, {"indices", made.indices.size()}, {"parts", parts}});
   return made;
 }
 

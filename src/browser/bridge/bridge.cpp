@@ -208,7 +208,7 @@ std::int32_t rb_buffer_size() {
 }
 
 std::int32_t rb_words() {
-  return answerOf(wordsJson);
+  return answerOf([] { return jsonText(wordsJson()); });
 }
 
 std::int32_t rb_toml_to_json(std::int32_t length) {
@@ -234,7 +234,7 @@ const double* rb_flight(const double* readings, std::int32_t readingCount, std::
 std::int32_t rb_recording(std::int32_t length) {
   return answerOf([&] {
     const std::string name(given(length));
-    return recordingJson(takenFile(name, kBufferSize), name);
+    return jsonText(recordingJson(takenFile(name, kBufferSize), name));
   });
 }
 
@@ -245,7 +245,7 @@ std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
     const bool keepsMotions = held && held->hasMotionsOf(scene);
     std::optional<PlayedScene> played;
     if (!keepsMotions) played.emplace(scene);
-    std::string json = sceneJson(scene);
+    std::string json = jsonText(sceneJson(scene));
     playedForces.clear();
     if (keepsMotions) {
       held->replace(std::move(scene));
@@ -376,6 +376,7 @@ const double* rb_poinsot(std::int32_t slot, std::int32_t motion, std::int32_t fr
 }
 
 std::int32_t rb_spin(std::int32_t slot, std::int32_t motion) {
-  return answerOf(
-      [&] { return spinJson(in(slot).scene().motions.at(static_cast<std::size_t>(motion))); });
+  return answerOf([&] {
+    return jsonText(spinJson(in(slot).scene().motions.at(static_cast<std::size_t>(motion))));
+  });
 }

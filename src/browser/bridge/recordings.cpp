@@ -17,14 +17,14 @@ namespace {
 
 /// Returns the longest stretch, of the file's times, in which a body turns at least half as fast as
 /// it mostly does while it turns; null of one that rests.
-std::string turningJson(std::string_view bytes, const std::string& name) {
+Json turningJson(std::string_view bytes, const std::string& name) {
   const recording::InertialRecording recording = recording::readInertial(bytes, name, {});
   std::vector<double> speeds, fast;
   for (const recording::InertialReading& reading : recording.readings) {
     speeds.push_back(reading.rate.angularVelocity.norm());
     if (speeds.back() > recording::kSlowestThrow) fast.push_back(speeds.back());
   }
-  if (fast.empty()) return "null";
+  if (fast.empty()) return nullptr;
   const auto middle = fast.begin() + std::ssize(fast) / 2;
   std::nth_element(fast.begin(), middle, fast.end());
   std::size_t first = 0, count = 0, begin = 0;
@@ -32,10 +32,8 @@ std::string turningJson(std::string_view bytes, const std::string& name) {
     if (speeds[i] < *middle / 2) begin = i + 1;
     if (i + 1 > begin + count) std::tie(first, count) = std::pair(begin, i + 1 - begin);
   }
-  const auto time = [&](std::size_t i) {
-    return shortestText(recording.zero + recording.readings[i].rate.time);
-  };
-  return jsonArray({time(first), time(first + count - 1)});
+  const auto time = [&](std::size_t i) { return recording.zero + recording.readings[i].rate.time; };
+  return Json::array({time(first), time(first + count - 1)});
 }
 
 }  // namespace
@@ -50,11 +48,9 @@ std::vector<double> flightNumbers(const double* readings, std::int32_t count) {
   return {flight->from, flight->to, flight->start.x(), flight->start.y(), flight->start.z()};
 }
 
-std::string recordingJson(std::string_view bytes, const std::string& name) {
-  return JsonObject()
-      .addNumber("duration", recording::readRecording(bytes, name, {}).duration())
-      .add("turning", turningJson(bytes, name))
-      .text();
+Json recordingJson(std::string_view bytes, const std::string& name) {
+  return {{"duration", recording::readRecording(bytes, name, {}).duration()},
+          {"turning", turningJson(bytes, name)}};
 }
 
 }  // namespace rotatebook::bridge

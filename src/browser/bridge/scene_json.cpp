@@ -18,103 +18,97 @@
 namespace rotatebook::bridge {
 namespace {
 
-std::string modelJson(const scene::Named<physics::Model>& model) {
-  return JsonObject()
-      .addString("name", model.name)
-      .add("integrators", jsonArrayOf(scene::integratorNames(model.value), jsonString))
-      .addStringOrNull("integrator",
-                       takesSteps(model.value)
-                           ? scene::nameOf(scene::kIntegrators, defaultIntegrator(model.value))
-                           : "")
-      .text();
+Json modelJson(const scene::Named<physics::Model>& model) {
+  return Json{
+      {"name", model.name},
+      {"integrators", scene::integratorNames(model.value)},
+      {"integrator", orNull(takesSteps(model.value)
+                                ? scene::nameOf(scene::kIntegrators, defaultIntegrator(model.value))
+                                : "")}};
 }
 
 /// Returns the JSON of a key: its limits, if it has any, its unit, and the models that it is of.
-std::string keyJson(const scene::KeyRow& key) {
+Json keyJson(const scene::KeyRow& key) {
   using Type = scene::ValueForm::Type;
   constexpr std::array<std::string_view, 6> kTypes{"own",    "integer", "number",
                                                    "vector", "text",    "choice"};
-  std::vector<std::string> models;
+  Json models = Json::array();
   for (const auto& [name, model] : scene::kModels) {
-    if (key.models.have(model)) models.push_back(jsonString(name));
+    if (key.models.have(model)) models.push_back(name);
   }
-  JsonObject object;
-  object.addString("type", kTypes[static_cast<std::size_t>(key.form.type)])
-      .addString("unit", key.unit)
-      .add("models", jsonArray(models));
+  Json object{{"type", kTypes[static_cast<std::size_t>(key.form.type)]},
+              {"unit", key.unit},
+              {"models", models}};
   if (key.form.type == Type::Choice)
-    return object.add("choices", jsonArrayOf(key.form.choices, jsonString)).text();
-  if (key.form.type == Type::Own) return object.text();
-  return object.addNumber("min", key.form.min).addNumber("max", key.form.max).text();
+    object["choices"] = key.form.choices;
+  else if (key.form.type != Type::Own)
+    object.update({{"min", key.form.min}, {"max", key.form.max}});
+  return object;
 }
 
-std::string keysJson() {
-  JsonObject object;
-  for (const scene::KeyRow& key : scene::allKeys()) object.add(key.name, keyJson(key));
-  return object.text();
+Json keysJson() {
+  Json object;
+  for (const scene::KeyRow& key : scene::allKeys()) object[key.name] = keyJson(key);
+  return object;
 }
 
 /// Returns [[i, j, length]] for the springs between all pairs of corners. [m]
-std::string springsJson(const physics::Cuboid& body) {
+Json springsJson(const physics::Cuboid& body) {
   const physics::Cage corners = body.corners();
-  std::vector<std::string> springs;
+  Json springs = Json::array();
   for (int i = 0; i < 8; ++i) {
     for (int j = i + 1; j < 8; ++j) {
       const double length = (corners.col(i) - corners.col(j)).norm();
-      springs.push_back(jsonArray({std::to_string(i), std::to_string(j), shortestText(length)}));
+      springs.push_back(Json::array({i, j, length}));
     }
   }
-  return jsonArray(springs);
+  return springs;
 }
 
-std::string motionJson(const scene::Panel& panel) {
+Json motionJson(const scene::Panel& panel) {
   const physics::SimulationSettings& simulation = panel.simulation;
-  JsonObject object;
-  object.addString("label", panel.label)
-      .addString("model", scene::nameOf(scene::kModels, simulation.model))
-      .add("body", vectorJson(panel.body.size))
-      .add("moments", vectorJson(physics::modelInertia(panel.motion()).moments));
+  Json object;
+  object["label"] = panel.label;
+  object["model"] = scene::nameOf(scene::kModels, simulation.model);
+  object["body"] = vectorJson(panel.body.size);
+  object["moments"] = vectorJson(physics::modelInertia(panel.motion()).moments);
   // A page draws springs between the corners of the cage.
   const bool areCorners = simulation.particles.arrangement == physics::Arrangement::Corners;
   if (simulation.model == physics::Model::Particles && areCorners)
-    object.add("springs", springsJson(panel.body));
-  return object.text();
+    object["springs"] = springsJson(panel.body);
+  return object;
 }
 
 /// Returns [[frame, text]] of the captions in time.
-std::string captionsJson(const scene::Scene& scene) {
-  std::vector<std::string> captions;
+Json captionsJson(const scene::Scene& scene) {
+  Json captions = Json::array();
   for (const scene::ShownCue& shown : scene.shownCues) {
     const std::optional<std::string>& text = scene.cues[shown.cue].text;
-    if (text) captions.push_back(jsonArray({std::to_string(shown.frame), jsonString(*text)}));
+    if (text) captions.push_back(Json::array({shown.frame, *text}));
   }
-  return jsonArray(captions);
+  return captions;
 }
 
 }  // namespace
 
-std::string wordsJson() {
+Json wordsJson() {
   // No recording is read in a page.
   std::vector<scene::Named<physics::Model>> models(scene::kModels.begin(), scene::kModels.end());
   std::erase_if(models, [](const auto& one) { return one.value == physics::Model::Recorded; });
-  return JsonObject()
-      .addString("version", kVersion)
-      .add("models", jsonArrayOf(models, modelJson))
-      .add("keys", keysJson())
-      .addInteger("longestScene", document::kLongestToml)
-      .addInteger("maxNudges", scene::kMaxNudges)
-      .text();
+  return {{"version", kVersion},
+          {"models", arrayOf(models, modelJson)},
+          {"keys", keysJson()},
+          {"longestScene", document::kLongestToml},
+          {"maxNudges", scene::kMaxNudges}};
 }
 
-std::string sceneJson(const scene::Scene& scene) {
+Json sceneJson(const scene::Scene& scene) {
   const std::vector<scene::Panel>& motions = scene.motions;
   const FrameRate rate = scene.clip.frameRate;
-  return JsonObject()
-      .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
-      .addNumber("interval", motions.front().simulation.timePerFrame)
-      .add("motions", jsonArrayOf(motions, motionJson))
-      .add("captions", captionsJson(scene))
-      .text();
+  return {{"rate", Json::array({rate.numerator, rate.denominator})},
+          {"interval", motions.front().simulation.timePerFrame},
+          {"motions", arrayOf(motions, motionJson)},
+          {"captions", captionsJson(scene)}};
 }
 
 }  // namespace rotatebook::bridge

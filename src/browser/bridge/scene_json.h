@@ -3,13 +3,14 @@
 
 #include <string>
 
+#include "base/json.h"
 #include "scene/scene.h"
 
 namespace rotatebook::bridge {
 
 /// Returns the JSON of rb_words().
-std::string wordsJson();
+Json wordsJson();
 /// Returns the JSON of rb_read().
-std::string sceneJson(const scene::Scene& scene);
+Json sceneJson(const scene::Scene& scene);
 
 }  // namespace rotatebook::bridge

@@ -124,19 +124,17 @@ std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion
   return numbers;
 }
 
-std::string spinJson(const scene::Motion& motion) {
+Json spinJson(const scene::Motion& motion) {
   const timeline::Spin spin = timeline::spinOf(motion);
   const std::array<const char*, 3> moments{"smallest", "middle", "largest"};
-  return JsonObject()
-      .addNumber("speed", spin.angularVelocity.norm())
-      .addString("axis", moments[spin.spunAxis])
-      .addNumber("offAxis", spin.offAxis * kDegrees)
-      .addString("circled", moments[spin.circledAxis()])
-      .addBool("isSteady", spin.isSteady)
-      .addBool("hasEqualMoments", spin.equal != timeline::EqualMoments::None)
-      .addNumberOrNull("flipInterval", spin.flipInterval())
-      .addNumberOrNull("firstFlip", spin.firstFlip)
-      .text();
+  return {{"speed", spin.angularVelocity.norm()},
+          {"axis", moments[spin.spunAxis]},
+          {"offAxis", spin.offAxis * kDegrees},
+          {"circled", moments[spin.circledAxis()]},
+          {"isSteady", spin.isSteady},
+          {"hasEqualMoments", spin.equal != timeline::EqualMoments::None},
+          {"flipInterval", orNull(spin.flipInterval())},
+          {"firstFlip", orNull(spin.firstFlip)}};
 }
 
 }  // namespace rotatebook::bridge

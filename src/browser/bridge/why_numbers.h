@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "bridge/played_scene.h"
 #include "scene/body_forces.h"
 
@@ -33,6 +34,6 @@ std::vector<double> ladderNumbers(const PlayedScene& played, std::size_t motion,
 std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion,
                                    std::int64_t frame, std::int64_t trail);
 /// Returns the JSON of rb_spin().
-std::string spinJson(const scene::Motion& motion);
+Json spinJson(const scene::Motion& motion);
 
 }  // namespace rotatebook::bridge

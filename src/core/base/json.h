@@ -1,64 +1,52 @@
-// Functions that write JSON.
+// JSON as it is written: by nlohmann's library, members in their order, on one line.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include "base/number_text.h"
 
 namespace rotatebook {
 
-/// Returns `text` as a JSON string, in quotation marks; bytes that aren't UTF-8 become U+FFFD. It
-/// is safe within a <script>, too: no "</script>" in it ends the element.
-std::string jsonString(std::string_view text);
+using Json = nlohmann::ordered_json;
 
-/// Returns "[a, b]" from values that are JSON already.
-std::string jsonArray(const std::vector<std::string>& values);
+/// Returns a value's JSON; null for none.
+template <typename Value>
+Json orNull(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json();
+}
+/// Returns a text's JSON; null for an empty one.
+inline Json orNull(std::string_view text) {
+  return text.empty() ? Json() : Json(text);
+}
 
-/// Like jsonArray(), from the JSON that `asJson` makes of each of `items`.
+/// Returns an array of the JSON that `asJson` makes of each of `items`.
 template <typename Items, typename AsJson>
-std::string jsonArrayOf(const Items& items, const AsJson& asJson) {
-  std::vector<std::string> values;
-  for (const auto& item : items) values.push_back(asJson(item));
-  return jsonArray(values);
+Json arrayOf(const Items& items, const AsJson& asJson) {
+  Json array = Json::array();
+  for (const auto& item : items) array.push_back(asJson(item));
+  return array;
 }
 
-/// Returns "[x, y, z]", whose numbers read back as what they are.
+/// Returns [x, y, z].
 template <typename Vector>
-std::string vectorJson(const Vector& vector) {
-  return jsonArrayOf(std::array<double, 3>{vector[0], vector[1], vector[2]}, shortestText);
+Json vectorJson(const Vector& vector) {
+  return Json::array({vector[0], vector[1], vector[2]});
 }
 
-/// An object that is built member by member.
-class JsonObject {
- public:
-  /// Adds a member whose value `json` is JSON already.
-  JsonObject& add(std::string_view key, const std::string& json);
-  JsonObject& addString(std::string_view key, std::string_view text);
-  /// Adds null if `text` is empty.
-  JsonObject& addStringOrNull(std::string_view key, std::string_view text);
-  /// Adds a number, which reads back as exactly `value`; null unless it is finite.
-  JsonObject& addNumber(std::string_view key, double value);
-  /// Adds null for no number.
-  JsonObject& addNumberOrNull(std::string_view key, const std::optional<double>& value);
-  JsonObject& addInteger(std::string_view key, std::int64_t value);
-  JsonObject& addBool(std::string_view key, bool value);
+/// Returns the rows of a matrix of 3 x 3.
+template <typename Matrix>
+Json matrixJson(const Matrix& matrix) {
+  return Json::array(
+      {vectorJson(matrix.row(0)), vectorJson(matrix.row(1)), vectorJson(matrix.row(2))});
+}
 
-  /// Returns "{...}".
-  std::string text() const { return "{" + members_ + "}"; }
+/// Returns `json` on one line. Numbers read back as what they are, or are null unless they are
+/// finite; bytes that aren't UTF-8 become U+FFFD.
+std::string jsonText(const Json& json);
 
- private:
-  std::string members_;
-};
-
-/// Returns an object whose first member says which command's result it is: "clip", "map" or
-/// "study".
-JsonObject resultOf(std::string_view kind);
-/// Returns whether JSON, or its beginning, is such a result.
-bool isResultOf(std::string_view kind, std::string_view json);
+/// Returns whether `text`, or its beginning, is a result of a command: "clip", "map" or "study",
+/// as the object's first member says.
+bool isResultOf(std::string_view kind, std::string_view text);
 
 }  // namespace rotatebook

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -81,20 +80,6 @@ std::string measuredText(double value, const Expectation& bounds, int digits, co
     text = roundedText(value, ++digits);
   }
   return text;
-}
-
-std::string boundsJson(const std::string& subject, std::string_view meaning, const Bounds& bounds,
-                       double measured) {
-  JsonObject object;
-  object.addString("quantity", subject)
-      .addString("meaning", meaning)
-      .addNumberOrNull("min", bounds.min)
-      .addNumberOrNull("max", bounds.max);
-  if (std::isinf(measured))
-    object.addString("measured", "inf");
-  else
-    object.addNumber("measured", measured);
-  return object.addBool("met", bounds.hold(measured)).text();
 }
 
 bool divergesUnexpectedly(const physics::Trajectory& trajectory,

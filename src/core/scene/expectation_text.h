@@ -36,11 +36,6 @@ std::string measuredText(const ExpectationResult& result, int digits = kMeasured
 std::string measuredText(double value, const Expectation& bounds, int digits = kMeasuredDigits,
                          const Say& say = sayInEnglish);
 
-/// Returns one number that bounds apply to as a JSON object: {"quantity": `subject`, "meaning",
-/// "min", "max", "measured", "met"}; infinity is "inf", NaN null.
-std::string boundsJson(const std::string& subject, std::string_view meaning, const Bounds& bounds,
-                       double measured);
-
 /// Returns whether the motion diverges although it has expectations, none of them on diverges_at.
 bool divergesUnexpectedly(const physics::Trajectory& trajectory,
                           std::span<const Expectation> expectations);

@@ -2,12 +2,10 @@
 
 #include <bit>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
-#include "base/json.h"
 #include "base/number_text.h"
-#include "scene/expectation_text.h"
 #include "scene/names.h"
+#include "study/bounds_json.h"
 #include "study/study_csv.h"
 
 namespace rotatebook::study {
@@ -36,31 +34,27 @@ std::string nameOf(Outcome outcome) {
   return std::string(scene::nameOf(scene::kOutcomes, outcome));
 }
 
-std::string axisJson(const Axis& axis, int count) {
-  return JsonObject()
-      .addString("key", axis.key)
-      .addStringOrNull("label", axis.label)
-      .addNumber("from", axis.from)
-      .addNumber("to", axis.to)
-      .addString("scale", scene::nameOf(scene::kScales, axis.scale))
-      .addInteger("count", count)
-      .addNumber("first", axis.at(0, count))
-      .addNumber("last", axis.at(count - 1, count))
-      .text();
+Json axisJson(const Axis& axis, int count) {
+  return {{"key", axis.key},
+          {"label", orNull(axis.label)},
+          {"from", axis.from},
+          {"to", axis.to},
+          {"scale", scene::nameOf(scene::kScales, axis.scale)},
+          {"count", count},
+          {"first", axis.at(0, count)},
+          {"last", axis.at(count - 1, count)}};
 }
 
-std::string valueJson(double value) {
+Json valueJson(double value) {
   const bool isNumber = outcomeOf(value) == Outcome::Value;
-  return isNumber ? shortestText(value) : jsonString(nameOf(outcomeOf(value)));
+  return isNumber ? Json(value) : Json(nameOf(outcomeOf(value)));
 }
 
-std::string markJson(const MarkedValue& marked) {
-  return JsonObject()
-      .addString("label", marked.mark.label)
-      .addNumber("x", marked.mark.x)
-      .addNumber("y", marked.mark.y)
-      .add("values", jsonArrayOf(marked.values, valueJson))
-      .text();
+Json markJson(const MarkedValue& marked) {
+  return {{"label", marked.mark.label},
+          {"x", marked.mark.x},
+          {"y", marked.mark.y},
+          {"values", arrayOf(marked.values, valueJson)}};
 }
 
 }  // namespace
@@ -105,54 +99,44 @@ bool readNpy(std::string_view bytes, const MapSettings& map, MapResult& result) 
   return true;
 }
 
-std::string factsJson(const MapFacts& facts) {
-  return JsonObject()
-      .addInteger("runs", facts.runs)
-      .addInteger("with_value", facts.withValue())
-      .addInteger("never", facts.never)
-      .addInteger("diverged", facts.diverged)
-      .addInteger("refused", facts.refused)
-      .addNumber("smallest", facts.smallest)
-      .addNumber("largest", facts.largest)
-      .addNumber("mean", facts.mean)
-      .text();
+Json factsJson(const MapFacts& facts) {
+  return {{"runs", facts.runs},       {"with_value", facts.withValue()},
+          {"never", facts.never},     {"diverged", facts.diverged},
+          {"refused", facts.refused}, {"smallest", facts.smallest},
+          {"largest", facts.largest}, {"mean", facts.mean}};
 }
 
-std::string expectationsJson(const std::vector<ExpectedOfMap>& expected,
-                             const scene::MapSettings& map) {
-  return jsonArrayOf(expected, [&](const ExpectedOfMap& one) {
-    return scene::boundsJson(one.subject(), rowOf(map.measure).meaning, one.expectation.bounds,
-                             one.measured);
+Json expectationsJson(const std::vector<ExpectedOfMap>& expected, const scene::MapSettings& map) {
+  return arrayOf(expected, [&](const ExpectedOfMap& one) {
+    return boundsJson(one.subject(), rowOf(map.measure).meaning, one.expectation.bounds,
+                      one.measured);
   });
 }
 
-std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
-                    const MapChecksums& sums) {
+Json mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
+             const MapChecksums& sums) {
   const MapSettings& map = *scene.map;
-  return resultOf("map")
-             .addString("name", scene.name)
-             .addString("title", scene.title)
-             .addString("measure", nameOf(map.measure))
-             .addString("moment", scene::nameOf(scene::kMapMoments, map.moment))
-             .add("panels", jsonArrayOf(result.labels, jsonString))
-             .add("x", axisJson(map.x, map.width))
-             .add("y", axisJson(map.y, map.height))
-             .addString("order", "rows from the bottom; a value is that of its pixel's middle")
-             .addString("nan", "refused: no such motion, or no such step")
-             .addString("inf", "never: what is measured doesn't happen")
-             .addString("-inf", "diverged")
-             .add("facts", factsJson(factsOf(result)))
-             .add("marks", jsonArrayOf(result.marks, markJson))
-             .add("expectations", expectationsJson(expectedOf(result, map, runs), map))
-             .addString("fingerprint", sums.fingerprint)
-             .addString("scene_xxh128", sums.scene)
-             .addString("npy_xxh128", sums.npy)
-             .text() +
-         "\n";
+  return {{"result", "map"},
+          {"name", scene.name},
+          {"title", scene.title},
+          {"measure", nameOf(map.measure)},
+          {"moment", scene::nameOf(scene::kMapMoments, map.moment)},
+          {"panels", result.labels},
+          {"x", axisJson(map.x, map.width)},
+          {"y", axisJson(map.y, map.height)},
+          {"order", "rows from the bottom; a value is that of its pixel's middle"},
+          {"nan", "refused: no such motion, or no such step"},
+          {"inf", "never: what is measured doesn't happen"},
+          {"-inf", "diverged"},
+          {"facts", factsJson(factsOf(result))},
+          {"marks", arrayOf(result.marks, markJson)},
+          {"expectations", expectationsJson(expectedOf(result, map, runs), map)},
+          {"fingerprint", sums.fingerprint},
+          {"scene_xxh128", sums.scene},
+          {"npy_xxh128", sums.npy}};
 }
 
 MapChecksums checksumsIn(std::string_view json) {
-  using Json = nlohmann::json;
   const auto isKept = [](int depth, Json::parse_event_t, const Json&) { return depth < 2; };
   const Json map = Json::parse(json, isKept, /*allow_exceptions=*/false);
   const auto textOf = [&](const char* key) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/scene.h"
 #include "study/map_result.h"
 
@@ -37,15 +38,14 @@ struct MapChecksums {
 };
 
 /// Returns the numbers of a whole map as a JSON object.
-std::string factsJson(const MapFacts& facts);
-/// Returns what was expected of a map, and measured, as a JSON array of scene::boundsJson().
-std::string expectationsJson(const std::vector<ExpectedOfMap>& expected,
-                             const scene::MapSettings& map);
+Json factsJson(const MapFacts& facts);
+/// Returns what was expected of a map, and measured, as a JSON array of boundsJson().
+Json expectationsJson(const std::vector<ExpectedOfMap>& expected, const scene::MapSettings& map);
 
 /// Returns the axes, the panels, the meaning of the values, the numbers of the whole map, its marks
 /// and what was expected of it as JSON.
-std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
-                    const MapChecksums& sums);
+Json mapJson(const MapResult& result, const scene::Scene& scene, const MapRuns& runs,
+             const MapChecksums& sums);
 /// Returns the checksums in a text that mapJson() wrote; those that another text lacks are empty.
 MapChecksums checksumsIn(std::string_view json);
 

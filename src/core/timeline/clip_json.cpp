@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/number_text.h"
+#include "base/parsed_number.h"
 #include "base/text.h"
 #include "scene/names.h"
 #include "timeline/clip_events.h"
@@ -19,39 +20,35 @@ using physics::Sample;
 // More wouldn't show in a plot of any size.
 constexpr int kPlotDigits = 6;
 
-std::string numberOrNull(double number) {
-  return std::isfinite(number) ? roundedText(number, kPlotDigits) : "null";
+double rounded(double number) {
+  return std::isfinite(number) ? *parsedNumber<double>(roundedText(number, kPlotDigits)) : number;
 }
 
-/// Returns an array of one number for each sample, without spaces, as there are thousands.
+/// Returns an array of one number for each sample.
 template <typename Value>
-std::string numbers(const physics::Trajectory& trajectory, const Value& value) {
-  std::vector<std::string> texts;
-  for (const Sample& sample : trajectory.samples) texts.push_back(numberOrNull(value(sample)));
-  return "[" + joined(texts, ",") + "]";
+Json numbers(const physics::Trajectory& trajectory, const Value& value) {
+  return arrayOf(trajectory.samples, [&](const Sample& sample) { return rounded(value(sample)); });
 }
 
-std::string timesOf(const scene::Scene& scene, std::int64_t frames) {
-  std::vector<std::string> texts;
+Json timesOf(const scene::Scene& scene, std::int64_t frames) {
+  Json times = Json::array();
   for (std::int64_t frame = 0; frame < frames; ++frame)
-    texts.push_back(numberOrNull(timeAt(scene, static_cast<double>(frame))));
-  return "[" + joined(texts, ",") + "]";
+    times.push_back(rounded(timeAt(scene, static_cast<double>(frame))));
+  return times;
 }
 
-std::string curvesJson(const scene::Panel& panel, const physics::Trajectory& trajectory) {
+Json curvesJson(const scene::Panel& panel, const physics::Trajectory& trajectory) {
   const double start = trajectory.samples.front().total();
   const auto ratio = [&](double (*energy)(const Sample&)) {
     return numbers(trajectory, [=](const Sample& sample) { return energy(sample) / start; });
   };
-  return JsonObject()
-      .addString("label", panel.label)
-      .addBool("springs", panel.simulation.model == physics::Model::Particles)
-      .add("kinetic", ratio([](const Sample& sample) { return sample.kinetic; }))
-      .add("potential", ratio([](const Sample& sample) { return sample.potential; }))
-      .add("total", ratio([](const Sample& sample) { return sample.total(); }))
-      .add("tilt", numbers(trajectory, [](const Sample& sample) { return sample.tiltDeg; }))
-      .add("error", numbers(trajectory, [](const Sample& sample) { return sample.errorDeg; }))
-      .text();
+  return {{"label", panel.label},
+          {"springs", panel.simulation.model == physics::Model::Particles},
+          {"kinetic", ratio([](const Sample& sample) { return sample.kinetic; })},
+          {"potential", ratio([](const Sample& sample) { return sample.potential; })},
+          {"total", ratio([](const Sample& sample) { return sample.total(); })},
+          {"tilt", numbers(trajectory, [](const Sample& sample) { return sample.tiltDeg; })},
+          {"error", numbers(trajectory, [](const Sample& sample) { return sample.errorDeg; })}};
 }
 
 /// Returns the motions that are plotted: a whole grid would have hundreds.
@@ -66,92 +63,80 @@ std::set<std::size_t> plottedIn(const scene::Scene& scene, std::size_t motions) 
   return plotted;
 }
 
-std::string plotsJson(const scene::Scene& scene, const ClipMotion& motion) {
+Json plotsJson(const scene::Scene& scene, const ClipMotion& motion) {
   const std::vector<scene::Panel>& panels = scene.motions;
-  JsonObject plots;
-  plots.addNumber("interval", motion.trajectories().front().interval);
-  if (!hasEvenTimes(scene)) plots.add("times", timesOf(scene, motion.frameCount()));
-  return plots
-      .add("motions", jsonArrayOf(plottedIn(scene, panels.size()),
-                                  [&](std::size_t i) {
-                                    return curvesJson(panels[i], motion.trajectories()[i]);
-                                  }))
-      .text();
+  Json plots;
+  plots["interval"] = motion.trajectories().front().interval;
+  if (!hasEvenTimes(scene)) plots["times"] = timesOf(scene, motion.frameCount());
+  plots["motions"] = arrayOf(plottedIn(scene, panels.size()), [&](std::size_t i) {
+    return curvesJson(panels[i], motion.trajectories()[i]);
+  });
+  return plots;
 }
 
-std::string eventJson(const ClipEvent& event) {
-  return JsonObject()
-      .addInteger("frame", event.frame)
-      .addNumber("time_s", event.time)
-      .addStringOrNull("label", event.label)
-      .addString("words", event.words)
-      .text();
+Json eventJson(const ClipEvent& event) {
+  return {{"frame", event.frame},
+          {"time_s", event.time},
+          {"label", orNull(event.label)},
+          {"words", event.words}};
 }
 
-std::string energyJson(const MotionSummary& summary) {
-  return JsonObject()
-      .addNumber("lowest", summary.lowestEnergy)
-      .addNumber("highest", summary.highestEnergy)
-      .text();
+Json energyJson(const MotionSummary& summary) {
+  return {{"lowest", summary.lowestEnergy}, {"highest", summary.highestEnergy}};
 }
 
 }  // namespace
 
-std::string expectationJson(const scene::ExpectationResult& result) {
+Json expectationJson(const scene::ExpectationResult& result) {
   const scene::Expectation& expectation = result.expectation;
-  return JsonObject()
-      .addString("quantity", nameOf(expectation.measure))
-      .addNumber("from_s", expectation.from)
-      .addNumber("to_s", expectation.to)
-      .addNumberOrNull("min", expectation.min)
-      .addNumberOrNull("max", expectation.max)
-      .addNumberOrNull("rises_to", expectation.risesTo)
-      .addNumberOrNull("falls_to", expectation.fallsTo)
-      .addNumber("lowest", result.lowest)
-      .addNumber("highest", result.highest)
-      .addBool("met", result.met)
-      .addNumberOrNull("ends_early_s", result.endsEarly)
-      .text();
+  return {{"quantity", nameOf(expectation.measure)},
+          {"from_s", expectation.from},
+          {"to_s", expectation.to},
+          {"min", orNull(expectation.min)},
+          {"max", orNull(expectation.max)},
+          {"rises_to", orNull(expectation.risesTo)},
+          {"falls_to", orNull(expectation.fallsTo)},
+          {"lowest", result.lowest},
+          {"highest", result.highest},
+          {"met", result.met},
+          {"ends_early_s", orNull(result.endsEarly)}};
 }
 
-std::string motionJson(const MotionSummary& summary) {
+Json motionJson(const MotionSummary& summary) {
   const auto& simulation = summary.motion.simulation;
   std::vector<std::string> notes = notesOn(summary.motion);
   notes.insert(notes.end(), summary.notes.begin(), summary.notes.end());
-  return JsonObject()
-      .addStringOrNull("label", summary.motion.label)
-      .addString("model", nameOf(scene::kModels, simulation.model))
-      .addStringOrNull("integrator", physics::takesSteps(simulation.model)
-                                         ? nameOf(scene::kIntegrators, simulation.integrator)
-                                         : std::string_view())
-      .addInteger("half_turns", static_cast<std::int64_t>(summary.flips.size()))
-      .add("flips_s", jsonArrayOf(summary.flips, shortestText))
-      .add("energy_ratio", energyJson(summary))
-      .addNumberOrNull("error_deg", summary.errorDeg)
-      .addNumberOrNull("visible_from_s", summary.visibleFrom)
-      .addNumberOrNull("diverged_at_s", summary.divergedAt)
-      .addBool("diverges_unexpectedly", summary.divergesUnexpectedly)
-      .addBool("judged", summary.isJudged)
-      .addBool("met", summary.met())
-      .add("expectations", jsonArrayOf(summary.expectations, expectationJson))
-      .add("notes", jsonArrayOf(notes, jsonString))
-      .text();
+  return {{"label", orNull(summary.motion.label)},
+          {"model", nameOf(scene::kModels, simulation.model)},
+          {"integrator", orNull(physics::takesSteps(simulation.model)
+                                    ? nameOf(scene::kIntegrators, simulation.integrator)
+                                    : std::string_view())},
+          {"half_turns", summary.flips.size()},
+          {"flips_s", summary.flips},
+          {"energy_ratio", energyJson(summary)},
+          {"error_deg", orNull(summary.errorDeg)},
+          {"visible_from_s", orNull(summary.visibleFrom)},
+          {"diverged_at_s", orNull(summary.divergedAt)},
+          {"diverges_unexpectedly", summary.divergesUnexpectedly},
+          {"judged", summary.isJudged},
+          {"met", summary.met()},
+          {"expectations", arrayOf(summary.expectations, expectationJson)},
+          {"notes", notes}};
 }
 
-std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
-                     const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums) {
+Json clipJson(const scene::Scene& scene, const ClipMotion& motion,
+              const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums) {
   const FrameRate rate = scene.clip.frameRate;
-  return resultOf("clip")
-      .addString("name", scene.name)
-      .addString("title", scene.title)
-      .addString("scene_xxh128", checksums.scene)
-      .addString("motion_xxh128", checksums.motion)
-      .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
-      .addInteger("frames", motion.frameCount())
-      .add("motions", jsonArrayOf(summaries, motionJson))
-      .add("events", jsonArrayOf(eventsOf(scene, motion), eventJson))
-      .add("plots", plotsJson(scene, motion))
-      .text();
+  return {{"result", "clip"},
+          {"name", scene.name},
+          {"title", scene.title},
+          {"scene_xxh128", checksums.scene},
+          {"motion_xxh128", checksums.motion},
+          {"rate", Json::array({rate.numerator, rate.denominator})},
+          {"frames", motion.frameCount()},
+          {"motions", arrayOf(summaries, motionJson)},
+          {"events", arrayOf(eventsOf(scene, motion), eventJson)},
+          {"plots", plotsJson(scene, motion)}};
 }
 
 }  // namespace rotatebook::timeline

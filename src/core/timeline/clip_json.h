@@ -1,10 +1,10 @@
 // The result of a clip as JSON.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/json.h"
 #include "scene/expectation.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
@@ -13,10 +13,10 @@
 namespace rotatebook::timeline {
 
 /// Returns an expectation as an object: its bounds, what was measured, and whether it is met.
-std::string expectationJson(const scene::ExpectationResult& result);
+Json expectationJson(const scene::ExpectationResult& result);
 
 /// Returns a summary as an object. Unknown values are null.
-std::string motionJson(const MotionSummary& summary);
+Json motionJson(const MotionSummary& summary);
 
 /// The checksums of a clip's scene and of its motion().
 struct ClipChecksums {
@@ -30,7 +30,7 @@ struct ClipChecksums {
 /// they are even, "motions": [{"label", "springs": whether there are any, "kinetic", "potential",
 /// "total", "tilt", "error"}]}, of a grid those in its corners. The last five have a number for
 /// each sample, of six digits: energies over the total at the start, angles in degrees.
-std::string clipJson(const scene::Scene& scene, const ClipMotion& motion,
-                     const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums);
+Json clipJson(const scene::Scene& scene, const ClipMotion& motion,
+              const std::vector<MotionSummary>& summaries, const ClipChecksums& checksums);
 
 }  // namespace rotatebook::timeline

@@ -68,17 +68,16 @@ TEST(BenchReport, IsJsonToo) {
   speed.frames = 100'000;
   std::ostringstream out;
   reportSpeedAsJson(named(), speed, out);
-  EXPECT_EQ(
-      out.str(),
-      "{\"scene\": \"tiny\", \"frames\": 100000, \"width\": 1280, \"height\": 720, \"cores\": 2, "
-      "\"renderer\": \"a \\\"card\\\"\", \"encoder\": \"libx264\", \"start_up_s\": 0.25, "
-      "\"frames_per_second\": 20, \"whole\": {\"wall\": 50, \"processor\": 95}, \"drawing\": "
-      "{\"wall\": 25, "
-      "\"processor\": 30}, \"limit\": "
-      "45, \"limited_by\": \"cores\", \"stages\": {\"simulate\": {\"wall\": 0, "
-      "\"processor\": 0}, \"book\": {\"wall\": 22, \"processor\": 24}, \"compose\": "
-      "{\"wall\": 4, \"processor\": 4}, \"png\": {\"wall\": 42, \"processor\": 42}, "
-      "\"video\": {\"wall\": 20, \"processor\": 20}}}\n");
+  EXPECT_EQ(out.str(),
+            "{\"scene\":\"tiny\",\"frames\":100000,\"width\":1280,\"height\":720,\"cores\":2,"
+            "\"renderer\":\"a \\\"card\\\"\",\"encoder\":\"libx264\",\"start_up_s\":0.25,"
+            "\"frames_per_second\":20.0,\"whole\":{\"wall\":50.0,\"processor\":95.0},\"drawing\":"
+            "{\"wall\":25.0,"
+            "\"processor\":30.0},\"limit\":"
+            "45.0,\"limited_by\":\"cores\",\"stages\":{\"simulate\":{\"wall\":0.0,"
+            "\"processor\":0.0},\"book\":{\"wall\":22.0,\"processor\":24.0},\"compose\":"
+            "{\"wall\":4.0,\"processor\":4.0},\"png\":{\"wall\":42.0,\"processor\":42.0},"
+            "\"video\":{\"wall\":20.0,\"processor\":20.0}}}\n");
 }
 
 }  // namespace

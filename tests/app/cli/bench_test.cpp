@@ -35,9 +35,8 @@ TEST_F(BenchCommand, MeasuresASceneAndLeavesNothing) {
 TEST_F(BenchCommand, HasASceneOfItsOwn) {
   const ChildResult result = bench({"--frames", "2", "--size", "320x180", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output,
-              AllOf(StartsWith("{\"scene\": \"builtin\", \"frames\": 2, \"width\": 320, "),
-                    EndsWith("}}\n")));
+  EXPECT_THAT(result.output, AllOf(StartsWith("{\"scene\":\"builtin\",\"frames\":2,\"width\":320,"),
+                                   EndsWith("}}\n")));
   EXPECT_EQ(countOf("\n", result.output), 1);
 }
 

@@ -58,7 +58,7 @@ TEST_F(DoctorCommand, UnsetsTheVariableThatKeepsMesaFromDrawing) {
     const ChildResult result = run({"doctor", "--json"}, settings);
     EXPECT_EQ(result.status, 3) << name;
     EXPECT_THAT(result.output,
-                HasSubstr(std::string("\"remedy\": \"unset ") + name + " (it is " + value + ")"));
+                HasSubstr(std::string("\"remedy\":\"unset ") + name + " (it is " + value + ")"));
   }
 }
 
@@ -79,9 +79,9 @@ TEST_F(DoctorCommand, ReportsAllElseWithoutFfmpeg) {
   const ChildResult json = run({"doctor", "--json"}, broken);
   EXPECT_EQ(json.status, 3);
   EXPECT_THAT(json.output,
-              AllOf(StartsWith("{\"ready\": false, "), HasSubstr("\"reference_picture\": "),
-                    HasSubstr("{\"format\": \"webm\", \"encoder\": null, "
-                              "\"error\": \"can't load FFmpeg: ")));
+              AllOf(StartsWith("{\"ready\":false,"), HasSubstr("\"reference_picture\":"),
+                    HasSubstr("{\"format\":\"webm\",\"encoder\":null,"
+                              "\"error\":\"can't load FFmpeg: ")));
 }
 
 TEST_F(DoctorCommand, TriesToWriteWhereNothingCanBe) {
@@ -110,14 +110,14 @@ TEST_F(DoctorCommand, HearsOfProcessesThoughTheirEndWasIgnored) {
 TEST_F(DoctorCommand, IsJsonToo) {
   const ChildResult result = run({"doctor", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, AllOf(StartsWith("{\"ready\": true, \"version\": "),
-                                   HasSubstr("\"name\": \"EGL device 0\", \"device\": 0, "),
-                                   HasSubstr("\"reference_picture\": {\"passed\": true, "),
-                                   HasSubstr("{\"format\": \"mp4\", \"encoder\": \"libx264\", "),
-                                   EndsWith("]}\n")));
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith("{\"ready\":true,\"version\":"),
+                    HasSubstr("\"name\":\"EGL device 0\",\"device\":0,"),
+                    HasSubstr("\"reference_picture\":{\"passed\":true,"),
+                    HasSubstr("{\"format\":\"mp4\",\"encoder\":\"libx264\","), EndsWith("]}\n")));
   EXPECT_EQ(countOf("\n", result.output), 1);
   EXPECT_THAT(runWithoutGraphics({"doctor", "--json"}).output,
-              AllOf(StartsWith("{\"ready\": false, "), HasSubstr("\"remedy\": \"unset ")));
+              AllOf(StartsWith("{\"ready\":false,"), HasSubstr("\"remedy\":\"unset ")));
 }
 
 TEST_F(DoctorCommand, ReportsAFolderThatCannotBe) {

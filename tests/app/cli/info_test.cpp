@@ -52,8 +52,8 @@ TEST_F(Info, MeasuresAMesh) {
 TEST_F(Info, MeasuresTheBookOfAScene) {
   const ChildResult result = run({"info", "tiny.toml", "--json", "--set", "body.mass=2"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("name": "tiny", )"), HasSubstr(R"("mass_kg": 2, )"),
-                                   HasSubstr(R"("triangles": null)")));
+  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("name":"tiny",)"), HasSubstr(R"("mass_kg":2.0,)"),
+                                   HasSubstr(R"("triangles":null)")));
 }
 
 TEST_F(Info, MeasuresTheShapeOfAScene) {
@@ -65,7 +65,7 @@ TEST_F(Info, MeasuresTheShapeOfAScene) {
   EXPECT_THAT(result.output, AllOf(HasSubstr("mass        0.5 kg\n"), HasSubstr("(0, 0.01266")));
   EXPECT_THAT(result.output, HasSubstr("body        1024 triangles, 2 closed surfaces"));
   EXPECT_THAT(run({"info", "handle.toml", "--json"}).output,
-              HasSubstr(R"("triangles": 1024, "shells": 2, )"));
+              HasSubstr(R"("triangles":1024,"shells":2,)"));
   EXPECT_EQ(run({"simulate", "handle.toml"}).status, 0);
   EXPECT_EQ(run({"check", "handle.toml"}).output, "handle.toml: ok\n");
 }
@@ -80,8 +80,8 @@ TEST_F(Info, MeasuresTheMeshOfAScene) {
       AllOf(HasSubstr("body        12 triangles, one closed surface\n"),
             HasSubstr("mass        0.09 kg\n"), HasSubstr("centre      (0.01, 0.015, 0.03) m\n")));
   const std::string json = run({"info", "box.toml", "--json"}).output;
-  EXPECT_THAT(json, AllOf(HasSubstr(R"("centre_m": [0.01)"),
-                          HasSubstr(R"("triangles": 12, "shells": 1, "crossing": null, )")));
+  EXPECT_THAT(json, AllOf(HasSubstr(R"("centre_m":[0.01)"),
+                          HasSubstr(R"("triangles":12,"shells":1,"crossing":null,)")));
   // The mesh by itself has the same numbers, but for their rounding
   const std::string alone =
       run({"info", "box.obj", "--unit=mm", "--density=2500", "--json"}).output;
@@ -105,8 +105,8 @@ TEST_F(Info, MeasuresTheBodyOfEachPanel) {
                     HasSubstr("heavy:\n  body        the book, a cuboid\n"),
                     HasSubstr("mass        3 kg\n")));
   EXPECT_THAT(run({"info", "two.toml", "--json"}).output,
-              AllOf(HasSubstr(R"("motions": [{"label": "book", "body": {"volume_m3": )"),
-                    HasSubstr(R"("mass_kg": 3, )")));
+              AllOf(HasSubstr(R"("motions":[{"label":"book","body":{"volume_m3":)"),
+                    HasSubstr(R"("mass_kg":3.0,)")));
 }
 
 TEST_F(Info, NotesTrianglesThatCross) {
@@ -132,7 +132,7 @@ TEST_F(Info, NotesWhatItChangesOfAMesh) {
                 "1 long\n"
                 "  note        one triangle has a corner twice, and is left out\n"));
   EXPECT_THAT(run({"info", "near.obj", "--json"}).output,
-              HasSubstr(R"("notes": ["one point is taken)"));
+              HasSubstr(R"("notes":["one point is taken)"));
   write("near.toml",
         "[body]\nmesh = \"near.obj\"\ndensity = 1000\n"
         "[initial]\nangular_velocity = [4, 1, 2]\n[clip]\nduration = 0.5\n");

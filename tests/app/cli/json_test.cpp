@@ -41,8 +41,8 @@ class Json : public ProgramTest {
 
 constexpr const char* kWrong = "wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?";
 constexpr const char* kWrongInJson =
-    R"("ok": false, "errors": ["wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?"])";
-constexpr const char* kTitleInJson = R"("title": "Größe \"x\" \\ 書")";
+    R"("ok":false,"errors":["wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?"])";
+constexpr const char* kTitleInJson = R"("title":"Größe \"x\" \\ 書")";
 constexpr const char* kUnmet = "rotatebook: expectations are not met; the files were kept\n";
 
 TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
@@ -52,8 +52,8 @@ TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
         {"study", "tiny.toml", "b.toml", "--json", "-o", output, "--set", "title=b"});
     EXPECT_EQ(result.status, 3) << output;
     expectKeys(result.output, "interrupted studies");
-    EXPECT_EQ(countOf("\"name\": ", result.output), 2);
-    EXPECT_EQ(countOf("\"error\": null", result.output), 1);
+    EXPECT_EQ(countOf("\"name\":", result.output), 2);
+    EXPECT_EQ(countOf("\"error\":null", result.output), 1);
     EXPECT_THAT(result.error, StartsWith("rotatebook: ")) << output;
   }
 }
@@ -65,10 +65,9 @@ TEST_F(Json, OfCheckHasEachFile) {
   EXPECT_THAT(result.error, AllOf(HasSubstr(std::string("rotatebook: ") + kWrong + '\n'),
                                   HasSubstr("note: tiny: the body is 9 m long")));
   expectKeys(result.output, "scenes");
-  EXPECT_EQ(countOf("\"ok\": true", result.output), 2);
-  EXPECT_THAT(result.output,
-              StartsWith(R"({"scenes": [{"path": "tiny.toml", "ok": true, "errors": [], )"
-                         R"("notes": ["the body is 9 m long)"));
+  EXPECT_EQ(countOf("\"ok\":true", result.output), 2);
+  EXPECT_THAT(result.output, StartsWith(R"({"scenes":[{"path":"tiny.toml","ok":true,"errors":[],)"
+                                        R"("notes":["the body is 9 m long)"));
   EXPECT_THAT(result.output, HasSubstr(kWrongInJson));
 }
 
@@ -80,8 +79,8 @@ TEST_F(Json, OfCheckHasTheNumberOfFrames) {
         "normalize = false\ndamping = 0\n");
   const ChildResult result = runWithoutGraphics({"check", "tiny.toml", "b.toml", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("notes": [], "frames": 12, "panels": []}, )"),
-                                   HasSubstr(R"("frames": 27, "panels": []}])")));
+  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("notes":[],"frames":12,"panels":[]},)"),
+                                   HasSubstr(R"("frames":27,"panels":[]}])")));
 }
 
 TEST_F(Json, OfCheckAndListHasPanels) {
@@ -92,18 +91,18 @@ TEST_F(Json, OfCheckAndListHasPanels) {
   write("more/wrong.toml", "titel = 'T'\n");
   const ChildResult check = runWithoutGraphics({"check", "more/panels.toml", "--json"});
   EXPECT_EQ(check.output,
-            R"({"scenes": [{"path": "more/panels.toml", "ok": true, "errors": [], "notes": [], )"
-            R"("frames": 720, "panels": ["one", "two"]}]})"
+            R"({"scenes":[{"path":"more/panels.toml","ok":true,"errors":[],"notes":[],)"
+            R"("frames":720,"panels":["one","two"]}]})"
             "\n");
   const ChildResult result = runWithoutGraphics({"list", "more", "--json"});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.error, std::string("rotatebook: more/") + kWrong + '\n');
   expectKeys(result.output, "scenes");
   EXPECT_EQ(result.output,
-            R"({"scenes": [{"path": "more/panels.toml", "ok": true, "errors": [], )"
-            R"("name": "panels", "title": "Panels", "duration_s": 12, "width": 1280, )"
-            R"("height": 720, "frames": 720, "panels": ["one", "two"], "has_study": false}, )"
-            R"({"path": "more/wrong.toml", "ok": false, "errors": ["more/wrong.toml:1:1: )"
+            R"({"scenes":[{"path":"more/panels.toml","ok":true,"errors":[],)"
+            R"("name":"panels","title":"Panels","duration_s":12.0,"width":1280,)"
+            R"("height":720,"frames":720,"panels":["one","two"],"has_study":false},)"
+            R"({"path":"more/wrong.toml","ok":false,"errors":["more/wrong.toml:1:1: )"
             R"(unknown key \"titel\"; did you mean \"title\"?"]}]})"
             "\n");
 }
@@ -115,14 +114,13 @@ TEST_F(Json, OfSimulateHasWhatWasMeasured) {
   expectKeys(result.output, "name title tables motions");
   EXPECT_THAT(
       result.output,
-      AllOf(
-          HasSubstr(kTitleInJson), HasSubstr(R"("tables": [{"path": "t.csv", "rows": 12})"),
-          HasSubstr(R"("label": null, "model": "quaternion", "integrator": "rk4", )"
-                    R"("half_turns": 0, "flips_s": [], "energy_ratio": {"lowest": )"),
-          HasSubstr(
-              R"("diverged_at_s": null, "diverges_unexpectedly": false, "judged": true, "met": false, )"
-              R"("expectations": [{"quantity": "half_turns", "from_s": 0, )"
-              R"("to_s": null, "min": 1, "max": 3, )")));
+      AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("tables":[{"path":"t.csv","rows":12})"),
+            HasSubstr(R"("label":null,"model":"quaternion","integrator":"rk4",)"
+                      R"("half_turns":0,"flips_s":[],"energy_ratio":{"lowest":)"),
+            HasSubstr(
+                R"("diverged_at_s":null,"diverges_unexpectedly":false,"judged":true,"met":false,)"
+                R"("expectations":[{"quantity":"half_turns","from_s":0.0,)"
+                R"("to_s":null,"min":1.0,"max":3.0,)")));
 }
 
 TEST_F(Json, OfSimulateIsRefusedWhereTheTableIsPrinted) {
@@ -139,8 +137,8 @@ TEST_F(Json, OfInfoHasTheNumbersOfBodyAndSpin) {
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "name title motions");
-  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "middle", )"),
-                                   HasSubstr(R"("euler": {"substeps": )")));
+  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis":"middle",)"),
+                                   HasSubstr(R"("euler":{"substeps":)")));
 }
 
 TEST_F(Json, OfStudyHasOrdersAndFiles) {
@@ -152,10 +150,10 @@ TEST_F(Json, OfStudyHasOrdersAndFiles) {
   expectKeys(result.output, "interrupted studies");
   EXPECT_THAT(
       result.output,
-      AllOf(HasSubstr(R"("title": "Größe \"x\" \\")"), HasSubstr(R"("x": "simulation.substeps", )"),
-            HasSubstr(R"("files": ["out/b-study.csv", "out/b-study.png", "out/b-study.svg", )"
-                      R"("out/b-study.pdf", "out/b-study.json"], "runs": [{"value": "1", )"),
-            HasSubstr(R"("orders": [{"curve": "rk4", "order": 3.9)")));
+      AllOf(HasSubstr(R"("title":"Größe \"x\" \\")"), HasSubstr(R"("x":"simulation.substeps",)"),
+            HasSubstr(R"("files":["out/b-study.csv","out/b-study.png","out/b-study.svg",)"
+                      R"("out/b-study.pdf","out/b-study.json"],"runs":[{"value":"1",)"),
+            HasSubstr(R"("orders":[{"curve":"rk4","order":3.9)")));
 }
 
 TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {
@@ -165,8 +163,8 @@ TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.error, HasSubstr("rotatebook: tiny: no run reached its end"));
   expectKeys(result.output, "interrupted studies");
-  EXPECT_THAT(result.output, HasSubstr(R"("error": "tiny: no run reached its end)"));
-  EXPECT_THAT(result.output, HasSubstr(R"("error": null, "files": [], "runs": [])"));
+  EXPECT_THAT(result.output, HasSubstr(R"("error":"tiny: no run reached its end)"));
+  EXPECT_THAT(result.output, HasSubstr(R"("error":null,"files":[],"runs":[])"));
 }
 
 TEST_F(Json, OfStudyIsPrintedAfterAnInterrupt) {
@@ -181,8 +179,8 @@ TEST_F(Json, OfStudyIsPrintedAfterAnInterrupt) {
   expectKeys(result.output, "interrupted studies");
   EXPECT_THAT(
       result.output,
-      AllOf(StartsWith(R"({"interrupted": true, "studies": [{"result": "study", "name": "tiny", )"),
-            HasSubstr(R"("interrupted": true, "error": null, "files": [], "runs": [])")));
+      AllOf(StartsWith(R"({"interrupted":true,"studies":[{"result":"study","name":"tiny",)"),
+            HasSubstr(R"("interrupted":true,"error":null,"files":[],"runs":[])")));
 }
 
 TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {
@@ -198,19 +196,19 @@ TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {
   EXPECT_THAT(
       outputs[0],
       AllOf(
-          StartsWith(R"({"interrupted": false, "scenes": [{"name": "b", )"),
-          HasSubstr(R"({"name": "tiny", "title": "Tiny", "width": 64, "height": 36, )"
-                    R"("frames_per_second": 60, "duration_s": 0.2, "renderer": ")"),
+          StartsWith(R"({"interrupted":false,"scenes":[{"name":"b",)"),
+          HasSubstr(R"({"name":"tiny","title":"Tiny","width":64,"height":36,)"
+                    R"("frames_per_second":60.0,"duration_s":0.2,"renderer":")"),
           HasSubstr(
-              R"("already_done": false, "interrupted": false, "error": null, )"
-              R"("frames_written": 12, "frames_kept": 0, "files": ["out/tiny.mp4", )"
-              R"("out/tiny.csv", "out/tiny.json", "out/tiny.poster.png"], "frame_folder": "out/tiny/", )"
-              R"("replaced": [], "kept_of_other_settings": [], "note": null, )"
-              R"("motions": [{"label": null, )")));
+              R"("already_done":false,"interrupted":false,"error":null,)"
+              R"("frames_written":12,"frames_kept":0,"files":["out/tiny.mp4",)"
+              R"("out/tiny.csv","out/tiny.json","out/tiny.poster.png"],"frame_folder":"out/tiny/",)"
+              R"("replaced":[],"kept_of_other_settings":[],"note":null,)"
+              R"("motions":[{"label":null,)")));
   EXPECT_THAT(outputs[0], HasSubstr(kTitleInJson));
   const ChildResult again = run({"render", "tiny.toml", "--json", "--resume"});
-  EXPECT_THAT(again.output, HasSubstr(R"("already_done": true, )"));
-  EXPECT_THAT(again.output, HasSubstr(R"("motions": [{"label": null, )"));
+  EXPECT_THAT(again.output, HasSubstr(R"("already_done":true,)"));
+  EXPECT_THAT(again.output, HasSubstr(R"("motions":[{"label":null,)"));
 }
 
 TEST_F(Json, OfRenderHoldsWhatWasDoneBeforeAnError) {
@@ -221,8 +219,8 @@ TEST_F(Json, OfRenderHoldsWhatWasDoneBeforeAnError) {
     EXPECT_EQ(result.status, 3);
     EXPECT_THAT(result.error, EndsWith("can't write out/b.mp4: it is a folder\n"));
     expectKeys(result.output, "interrupted scenes");
-    EXPECT_THAT(result.output, HasSubstr(R"("error": "can't write out/b.mp4: it is a folder", )"));
-    EXPECT_THAT(result.output, HasSubstr(R"("name": "tiny", )"));
+    EXPECT_THAT(result.output, HasSubstr(R"("error":"can't write out/b.mp4: it is a folder",)"));
+    EXPECT_THAT(result.output, HasSubstr(R"("name":"tiny",)"));
   }
 }
 
@@ -235,14 +233,12 @@ TEST_F(Json, OfRenderIsPrintedAfterAnInterrupt) {
                                  settings);
   EXPECT_EQ(result.status, 130) << result.error;
   expectKeys(result.output, "interrupted scenes");
-  EXPECT_THAT(result.output, StartsWith(R"({"interrupted": true, "scenes": [{"name": "tiny", )"));
-  EXPECT_THAT(result.output,
-              HasSubstr(R"("interrupted": true, "error": null, "frames_written": )"));
-  EXPECT_THAT(result.output, HasSubstr(R"("files": ["out/tiny.partial.mp4"], )"
-                                       R"("frame_folder": "out/tiny.partial/")"));
-  EXPECT_THAT(result.output,
-              HasSubstr(R"("renderer": null, "encoders": null, "already_done": false, )"
-                        R"("interrupted": false, "error": null, "frames_written": 0, )"));
+  EXPECT_THAT(result.output, StartsWith(R"({"interrupted":true,"scenes":[{"name":"tiny",)"));
+  EXPECT_THAT(result.output, HasSubstr(R"("interrupted":true,"error":null,"frames_written":)"));
+  EXPECT_THAT(result.output, HasSubstr(R"("files":["out/tiny.partial.mp4"],)"
+                                       R"("frame_folder":"out/tiny.partial/")"));
+  EXPECT_THAT(result.output, HasSubstr(R"("renderer":null,"encoders":null,"already_done":false,)"
+                                       R"("interrupted":false,"error":null,"frames_written":0,)"));
   EXPECT_FALSE(has("out/b.partial"));
 }
 
@@ -250,7 +246,7 @@ TEST_F(Json, IsUtf8WhateverTheNameOfAFile) {
   const ChildResult result = run({"check", "no\xff.toml", "--json"});
   EXPECT_EQ(result.status, 2);
   expectKeys(result.output, "scenes");
-  EXPECT_THAT(result.output, HasSubstr("\"path\": \"no\uFFFD.toml\""));
+  EXPECT_THAT(result.output, HasSubstr("\"path\":\"no\uFFFD.toml\""));
 }
 
 }  // namespace

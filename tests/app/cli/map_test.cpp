@@ -79,9 +79,9 @@ TEST_F(MapCommand, PrintsJson) {
   const ChildResult result = run({"map", "turns.toml", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output,
-              AllOf(StartsWith("{\"interrupted\": false, \"maps\": [{\"name\": \"turns\""),
-                    HasSubstr("\"facts\": {\"runs\": 4000, \"with_value\": 4000, \"never\": 0"),
-                    HasSubstr("\"quantity\": \"largest value\""), EndsWith("}]}]}\n")));
+              AllOf(StartsWith("{\"interrupted\":false,\"maps\":[{\"name\":\"turns\""),
+                    HasSubstr("\"facts\":{\"runs\":4000,\"with_value\":4000,\"never\":0"),
+                    HasSubstr("\"quantity\":\"largest value\""), EndsWith("}]}]}\n")));
 }
 
 TEST_F(MapCommand, MakesAFilmOfTheMapThatHasOne) {

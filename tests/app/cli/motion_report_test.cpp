@@ -101,17 +101,17 @@ TEST(MotionReport, NamesSceneAndPanelInNotes) {
 
 TEST(MotionReport, IsJsonToo) {
   EXPECT_EQ(
-      motionsJson(exampleMotions()),
-      R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, "flips_s": [2.25], )"
-      R"("energy_ratio": {"lowest": 1, "highest": 1}, "error_deg": null, "visible_from_s": null, )"
-      R"("diverged_at_s": null, "diverges_unexpectedly": false, "judged": true, "met": true, "expectations": [], "notes": ["the body is 20 m )"
-      R"(long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"
-      R"({"label": "Euler", "model": "quaternion", "integrator": "euler", "half_turns": 9, )"
-      R"("flips_s": [1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12, 13.5], )"
-      R"("energy_ratio": {"lowest": 1, "highest": 2.5}, "error_deg": 179.96, )"
-      R"("visible_from_s": 0.30000000000000004, "diverged_at_s": 22.53333333333333, "diverges_unexpectedly": false, "judged": true, )"
-      R"("met": true, )"
-      R"("expectations": [], "notes": ["the regime changes"]}])");
+      jsonText(motionsJson(exampleMotions())),
+      R"([{"label":"Exact \"one\"","model":"exact","integrator":null,"half_turns":1,"flips_s":[2.25],)"
+      R"("energy_ratio":{"lowest":1.0,"highest":1.0},"error_deg":null,"visible_from_s":null,)"
+      R"("diverged_at_s":null,"diverges_unexpectedly":false,"judged":true,"met":true,"expectations":[],"notes":["the body is 20 m )"
+      R"(long; numbers without a unit are in metres: a centimetre is \"1 cm\""]},)"
+      R"({"label":"Euler","model":"quaternion","integrator":"euler","half_turns":9,)"
+      R"("flips_s":[1.5,3.0,4.5,6.0,7.5,9.0,10.5,12.0,13.5],)"
+      R"("energy_ratio":{"lowest":1.0,"highest":2.5},"error_deg":179.96,)"
+      R"("visible_from_s":0.30000000000000004,"diverged_at_s":22.53333333333333,"diverges_unexpectedly":false,"judged":true,)"
+      R"("met":true,)"
+      R"("expectations":[],"notes":["the regime changes"]}])");
 }
 
 TEST(MotionReport, OfASimulationHasItsTables) {
@@ -123,9 +123,9 @@ TEST(MotionReport, OfASimulationHasItsTables) {
   std::ostringstream out;
   reportSimulationAsJson(scene, {{"a/s.csv", one.front().frames}}, one, out);
   EXPECT_EQ(out.str(),
-            R"({"name": "s", "title": "back\\slash", "tables": [{"path": "a/s.csv", "rows": 90}], )"
-            R"("motions": )" +
-                motionsJson(one) + "}\n");
+            R"({"name":"s","title":"back\\slash","tables":[{"path":"a/s.csv","rows":90}],)"
+            R"("motions":)" +
+                jsonText(motionsJson(one)) + "}\n");
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST_F(Quiet, ResultsArePrinted) {
   EXPECT_EQ(quiet.output, loud.output);
   EXPECT_THAT(quiet.error, IsEmpty());
   run({"render", "tiny.toml", "-q"});
-  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json", "-q"}).output, StartsWith("{\"clip\": "));
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json", "-q"}).output, StartsWith("{\"clip\":"));
 }
 
 TEST_F(Quiet, NoProgressIsShown) {

@@ -75,10 +75,10 @@ TEST_F(Recorded, AreJudgedByBounds) {
 TEST_F(Recorded, AreJudgedAsJson) {
   const ChildResult result = judge({"simbody.csv", "--json", "--max-error-deg", "0"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output,
-              AllOf(HasSubstr("{\"met\": false, \"motions\": [{\"name\": \"simbody.csv\""),
-                    HasSubstr("\"half_turns_due\": 3"),
-                    HasSubstr("\"bounds\": [{\"name\": \"error_deg\"")));
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr("{\"met\":false,\"motions\":[{\"name\":\"simbody.csv\""),
+            HasSubstr("\"half_turns_due\":3"), HasSubstr("\"bounds\":[{\"name\":\"error_deg\"")));
 }
 
 TEST_F(Recorded, NotesAndFlawsAreInJsonToo) {
@@ -90,13 +90,12 @@ TEST_F(Recorded, NotesAndFlawsAreInJsonToo) {
   const ChildResult result = runWithoutGraphics(
       {"judge", "stray.csv", "--size", "0.15,0.22,0.04", "--json", "--max-error-deg", "1"});
   EXPECT_EQ(result.status, 1) << result.error;
-  EXPECT_THAT(
-      result.output,
-      AllOf(HasSubstr("\"flaws\": [\"1 row is off its neighbours: the attitude at 5 s, by "),
-            HasSubstr("\"notes\": [\"1 row without a reading at the table's ends left out\", "
-                      "\"1 row is off"),
-            HasSubstr("\"rates_factor\": 1, \"rates_bias\": [0, 0, 0]"),
-            HasSubstr("but for its flaws: 1 row is off"), Not(HasSubstr("\"met\": true"))));
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\"flaws\":[\"1 row is off its neighbours: the attitude at 5 s, by "),
+                    HasSubstr("\"notes\":[\"1 row without a reading at the table's ends left out\","
+                              "\"1 row is off"),
+                    HasSubstr("\"rates_factor\":1.0,\"rates_bias\":[0.0,0.0,0.0]"),
+                    HasSubstr("but for its flaws: 1 row is off"), Not(HasSubstr("\"met\":true"))));
 }
 
 TEST_F(Recorded, AFewRowsArentJudged) {
@@ -122,7 +121,7 @@ TEST_F(Recorded, TablesThatContradictThemselvesArentJudged) {
               AllOf(HasSubstr("<testsuite name=\"world.csv\" tests=\"1\" failures=\"1\">"),
                     HasSubstr("<testsuite name=\"simbody.csv\" tests=\"1\" failures=\"0\">")));
   EXPECT_THAT(judge({"world.csv", "--json"}).output,
-              HasSubstr("\"mistake\": \"the rates are along the world's axes"));
+              HasSubstr("\"mistake\":\"the rates are along the world's axes"));
   EXPECT_THAT(judge({"world.csv", "--rates-along", "world"}).output,
               HasSubstr("world.csv: agrees with the exact motion"));
   writeScene("world.csv");
@@ -206,7 +205,7 @@ TEST_F(Recorded, TossesTellTheInertiaAndWriteAScene) {
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "-o", "toss.toml"}).error,
               HasSubstr("toss.toml exists, and isn't overwritten"));
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--json"}).output,
-              AllOf(HasSubstr(R"("I1_over_I3": {"value": 0.315)"), HasSubstr(R"("readings": )")));
+              AllOf(HasSubstr(R"("I1_over_I3":{"value":0.315)"), HasSubstr(R"("readings":)")));
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--lever", "-1"}).error,
               HasSubstr("-1 must be a number, 0 or more"));
 }

@@ -103,7 +103,7 @@ TEST_F(RecordingFiles, ListTheirThrows) {
   EXPECT_EQ(list.status, 0) << list.error;
   EXPECT_THAT(list.output,
               AllOf(HasSubstr("phyphox/Gyroscope.csv: 1 flight\n"), HasSubstr("I1/I3 = 0.315")));
-  EXPECT_THAT(toss({"phyphox", "--list", "--json"}).output, HasSubstr("\"accepted\": true"));
+  EXPECT_THAT(toss({"phyphox", "--list", "--json"}).output, HasSubstr("\"accepted\":true"));
 }
 
 TEST_F(RecordingFiles, OfSensorLoggerGiveTheRatios) {

@@ -37,7 +37,7 @@ pipeline::RenderOptions pngAndMp4() {
 
 std::string jsonOf(const std::vector<RenderedScene>& scenes, bool interrupted = false) {
   const auto asJson = [](const RenderedScene& one) { return renderJson(one, pngAndMp4()); };
-  return batchJson("scenes", scenes, asJson, interrupted);
+  return jsonText(batchJson("scenes", scenes, asJson, interrupted));
 }
 
 std::string textOf(const RenderedScene& rendered) {
@@ -47,46 +47,43 @@ std::string textOf(const RenderedScene& rendered) {
 }
 
 TEST(RenderReport, IsJson) {
-  EXPECT_EQ(
-      jsonOf({exampleRender()}),
-      R"({"interrupted": false, "scenes": [{"name": "tiny", )"
-      R"("title": "A \"quoted\" title, C:\\new, and 書 🕮", "width": 1280, "height": 720, )"
-      R"("frames_per_second": 29.97002997002997, "duration_s": 12, "renderer": "a card", )"
-      R"("encoders": "libx264", "already_done": false, "interrupted": false, )"
-      R"("error": null, "frames_written": 100000, "frames_kept": 5, )"
-      R"("files": ["out/tiny.mp4", "out/tiny.csv", "out/tiny.json", "out/tiny.poster.png"], )"
-      R"("frame_folder": "out/tiny/", "replaced": [], )"
-      R"("kept_of_other_settings": ["out/tiny.gif"], "note": null, )"
-      R"("motions": []}]})"
-      "\n");
+  EXPECT_EQ(jsonOf({exampleRender()}),
+            R"({"interrupted":false,"scenes":[{"name":"tiny",)"
+            R"("title":"A \"quoted\" title, C:\\new, and 書 🕮","width":1280,"height":720,)"
+            R"("frames_per_second":29.97002997002997,"duration_s":12.0,"renderer":"a card",)"
+            R"("encoders":"libx264","already_done":false,"interrupted":false,)"
+            R"("error":null,"frames_written":100000,"frames_kept":5,)"
+            R"("files":["out/tiny.mp4","out/tiny.csv","out/tiny.json","out/tiny.poster.png"],)"
+            R"("frame_folder":"out/tiny/","replaced":[],)"
+            R"("kept_of_other_settings":["out/tiny.gif"],"note":null,)"
+            R"("motions":[]}]})");
 }
 
 TEST(RenderReport, HasTheSameFieldsForScenesThatFailedOrWereNotBegun) {
   RenderedScene failed{exampleRender().scene}, waiting{exampleRender().scene};
   failed.error = "can't write \"out\"";
   const std::string json = jsonOf({exampleRender(), failed, waiting}, true);
-  EXPECT_THAT(json, HasSubstr(R"("interrupted": true, "scenes": [)"));
-  EXPECT_THAT(json,
-              HasSubstr(R"("renderer": null, "encoders": null, "already_done": false, )"
-                        R"("interrupted": false, "error": "can't write \"out\"", )"
-                        R"("frames_written": 0, "frames_kept": 0, "files": [], )"
-                        R"("frame_folder": null, "replaced": [], "kept_of_other_settings": [], )"
-                        R"("note": null, )"
-                        R"("motions": []}, {"name": "tiny")"));
+  EXPECT_THAT(json, HasSubstr(R"("interrupted":true,"scenes":[)"));
+  EXPECT_THAT(json, HasSubstr(R"("renderer":null,"encoders":null,"already_done":false,)"
+                              R"("interrupted":false,"error":"can't write \"out\"",)"
+                              R"("frames_written":0,"frames_kept":0,"files":[],)"
+                              R"("frame_folder":null,"replaced":[],"kept_of_other_settings":[],)"
+                              R"("note":null,)"
+                              R"("motions":[]},{"name":"tiny")"));
 }
 
 TEST(RenderReport, NamesTheUnfinishedFilesOfAnInterruptedRender) {
   RenderedScene rendered = exampleRender();
   rendered.interrupted = rendered.result->interrupted = true;
   rendered.result->others = {};
-  EXPECT_THAT(jsonOf({rendered}), HasSubstr(R"("files": ["out/tiny.partial.mp4"], )"
-                                            R"("frame_folder": "out/tiny.partial/")"));
+  EXPECT_THAT(jsonOf({rendered}), HasSubstr(R"("files":["out/tiny.partial.mp4"],)"
+                                            R"("frame_folder":"out/tiny.partial/")"));
   EXPECT_EQ(textOf(rendered),
             "  kept 5 frames of an earlier run\n"
             "  wrote out/tiny.partial.mp4 and 100000 frames in out/tiny.partial/\n"
             "  interrupted after 100000 frames; go on with the same command and --resume\n");
   rendered.result->framesWritten = rendered.result->framesKept = 0;
-  EXPECT_THAT(jsonOf({rendered}), HasSubstr(R"("files": [], "frame_folder": null)"));
+  EXPECT_THAT(jsonOf({rendered}), HasSubstr(R"("files":[],"frame_folder":null)"));
   EXPECT_EQ(textOf(rendered), "  interrupted before the first frame; nothing was written\n");
 }
 
@@ -98,8 +95,8 @@ TEST(RenderReport, NamesTheFilesThatAnEarlierRunMade) {
   rendered.result->wasDone = true;
   EXPECT_EQ(textOf(rendered), "tiny: already done\n");
   EXPECT_THAT(jsonOf({rendered}),
-              HasSubstr(R"("already_done": true, "interrupted": false, "error": null, )"
-                        R"("frames_written": 0, "frames_kept": 0, "files": ["out/tiny.mp4", )"));
+              HasSubstr(R"("already_done":true,"interrupted":false,"error":null,)"
+                        R"("frames_written":0,"frames_kept":0,"files":["out/tiny.mp4",)"));
 }
 
 TEST(RenderReport, HasNotesOnWhatIsLostAndWhatStays) {

@@ -67,9 +67,8 @@ TEST_F(RenderCommand, OfAPartLeavesFramesAloneAndExpectsNothing) {
   EXPECT_EQ(empty.output, "tiny: this part has no frames; nothing was written\n");
   const ChildResult json =
       run(std::vector<std::string>{"render", "tiny.toml", "--part", "1/13", "--json"} + kUnmet);
-  EXPECT_THAT(
-      json.output,
-      HasSubstr(R"("frames_written": 0, "frames_kept": 0, "files": [], "frame_folder": null)"));
+  EXPECT_THAT(json.output,
+              HasSubstr(R"("frames_written":0,"frames_kept":0,"files":[],"frame_folder":null)"));
   const ChildResult join =
       run(std::vector<std::string>{"render", "tiny.toml", "--resume"} + kUnmet);
   EXPECT_EQ(join.status, 1);

@@ -84,7 +84,7 @@ TEST_F(SimulateCommand, LeavesExpectationsOut) {
   EXPECT_THAT(result.output, HasSubstr("\n  expectations are left out (--no-expect)\n"));
   EXPECT_EQ(countOf("UNMET", result.output), 0);
   unjudged.emplace_back("--json");
-  EXPECT_THAT(run(unjudged).output, HasSubstr("\"judged\": false"));
+  EXPECT_THAT(run(unjudged).output, HasSubstr("\"judged\":false"));
 }
 
 TEST_F(SimulateCommand, TakesOverrides) {

@@ -29,7 +29,7 @@ std::string textOf(const std::string& settings) {
 }
 
 std::string jsonOf(const std::string& settings) {
-  return spinJson(spinNumbersOf(sceneWith(settings)).front());
+  return jsonText(spinJson(spinNumbersOf(sceneWith(settings)).front()));
 }
 
 std::vector<std::string> remarksWith(const std::string& settings) {
@@ -119,16 +119,15 @@ TEST(SpinReport, OfJsonHasAllMembers) {
       jsonOf(kTumbling),
       AllOf(
           HasSubstr(
-              R"({"label": null, "model": "quaternion", "moments_kg_m2": [2, 3, 4], "axes": [[0, 1, 0], )"),
-          HasSubstr(R"("equal_moments": "none")"), HasSubstr(R"("spun_axis": "middle", )"),
-          HasSubstr(R"("steady": false, "regime": 1, "growth_per_s": 2.1213)"),
-          HasSubstr(R"("oscillation_rad_per_s": null, "first_flip_s": 1.766)"),
-          HasSubstr(R"("euler": {"substeps": 16, "tried": 16, "h_s": )"),
-          HasSubstr(R"("remarks": []})")));
+              R"({"label":null,"model":"quaternion","moments_kg_m2":[2.0,3.0,4.0],"axes":[[0.0,1.0,0.0],)"),
+          HasSubstr(R"("equal_moments":"none")"), HasSubstr(R"("spun_axis":"middle",)"),
+          HasSubstr(R"("steady":false,"regime":1,"growth_per_s":2.1213)"),
+          HasSubstr(R"("oscillation_rad_per_s":null,"first_flip_s":1.766)"),
+          HasSubstr(R"("euler":{"substeps":16,"tried":16,"h_s":)"), HasSubstr(R"("remarks":[]})")));
   EXPECT_THAT(jsonOf("initial.angular_velocity = [6, 0, 0]"),
-              AllOf(HasSubstr(R"("steady": true, "regime": 0, )"),
-                    HasSubstr(R"("period_s": null, "turn_rad": null, "dynamic_turn_rad": null, )"),
-                    HasSubstr(R"("margin": 0, "to_separatrix_rad": 0, "euler": null, )")));
+              AllOf(HasSubstr(R"("steady":true,"regime":0,)"),
+                    HasSubstr(R"("period_s":null,"turn_rad":null,"dynamic_turn_rad":null,)"),
+                    HasSubstr(R"("margin":0.0,"to_separatrix_rad":0.0,"euler":null,)")));
 }
 
 }  // namespace

@@ -109,37 +109,35 @@ TEST(StudyReport, IsJsonToo) {
   failed.result.reset();
   failed.error = "no disk";
   const std::string meaning(scene::rowOf(Measure::DivergesAt).meaning);
-  EXPECT_EQ(
-      batchJson("studies", std::vector{studied, failed}, studyJson, true),
-      R"({"interrupted": true, "studies": [{"result": "study", "name": "s", "title": "\"S\"", )"
-      R"("scene_xxh128": "5ce", )"
-      R"("x": "simulation.substeps", "curves": "simulation.integrator", "interrupted": false, )"
-      R"("error": null, "files": ["out/s-study.csv"], )"
-      R"("runs": [{"value": "10", "curve": "matrix", "diverges_at": 4.5, "stretch": null, )"
-      R"("status": "diverged at 4.5 s"}, {"value": "10", "curve": "quaternion", )"
-      R"("diverges_at": null, "stretch": 0.25, "status": "ok"}], "orders": [], )"
-      R"("expectations": [{"quantity": "diverges_at at 10, matrix", "meaning": ")" +
-          meaning +
-          R"(", "min": null, "max": 4, "measured": 4.5, "met": false}, )"
-          R"({"quantity": "diverges_at at 10, quaternion", "meaning": ")" +
-          meaning +
-          R"(", "min": 30, "max": null, "measured": "inf", "met": true}]}, )"
-          R"({"result": "study", "name": "s", "title": "\"S\"", "scene_xxh128": "5ce", )"
-          R"("x": "simulation.substeps", )"
-          R"("curves": "simulation.integrator", "interrupted": false, "error": "no disk", )"
-          R"("files": [], "runs": [], "orders": [], "expectations": []}]})"
-          "\n");
+  EXPECT_EQ(jsonText(batchJson("studies", std::vector{studied, failed}, studyJson, true)),
+            R"({"interrupted":true,"studies":[{"result":"study","name":"s","title":"\"S\"",)"
+            R"("scene_xxh128":"5ce",)"
+            R"("x":"simulation.substeps","curves":"simulation.integrator","interrupted":false,)"
+            R"("error":null,"files":["out/s-study.csv"],)"
+            R"("runs":[{"value":"10","curve":"matrix","diverges_at":4.5,"stretch":null,)"
+            R"("status":"diverged at 4.5 s"},{"value":"10","curve":"quaternion",)"
+            R"("diverges_at":null,"stretch":0.25,"status":"ok"}],"orders":[],)"
+            R"("expectations":[{"quantity":"diverges_at at 10, matrix","meaning":")" +
+                meaning +
+                R"(","min":null,"max":4.0,"measured":4.5,"met":false},)"
+                R"({"quantity":"diverges_at at 10, quaternion","meaning":")" +
+                meaning +
+                R"(","min":30.0,"max":null,"measured":"inf","met":true}]},)"
+                R"({"result":"study","name":"s","title":"\"S\"","scene_xxh128":"5ce",)"
+                R"("x":"simulation.substeps",)"
+                R"("curves":"simulation.integrator","interrupted":false,"error":"no disk",)"
+                R"("files":[],"runs":[],"orders":[],"expectations":[]}]})");
 }
 
 TEST(StudyReport, HasOrdersAsJson) {
-  const std::string json = studyJson(orders());
-  EXPECT_NE(json.find(R"("runs": [{"value": "1", "curve": "rk4", "h_s": 0.25, "error_deg": null, )"
-                      R"("ns_per_step": null, "status": "diverged at 4.5 s"}, )"),
+  const std::string json = jsonText(studyJson(orders()));
+  EXPECT_NE(json.find(R"("runs":[{"value":"1","curve":"rk4","h_s":0.25,"error_deg":null,)"
+                      R"("ns_per_step":null,"status":"diverged at 4.5 s"},)"),
             std::string::npos);
-  EXPECT_NE(json.find(R"("orders": [{"curve": "rk4", "order": 4.0123456, "runs": 5, )"
-                      R"("shortest_h_s": 0.001, "longest_h_s": 0.0123456}, )"
-                      R"({"curve": "midpoint", "order": null, "runs": 0, )"
-                      R"("shortest_h_s": null, "longest_h_s": null}, )"),
+  EXPECT_NE(json.find(R"("orders":[{"curve":"rk4","order":4.0123456,"runs":5,)"
+                      R"("shortest_h_s":0.001,"longest_h_s":0.0123456},)"
+                      R"({"curve":"midpoint","order":null,"runs":0,)"
+                      R"("shortest_h_s":null,"longest_h_s":null},)"),
             std::string::npos);
 }
 

@@ -132,13 +132,13 @@ TEST_F(VerifyCommand, IsJsonToo) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(countOf("\n", result.output), 1);
   EXPECT_THAT(result.output,
-              AllOf(StartsWith("{\"clip\": \"out/tiny.mp4\", \"proved\": true, "
-                               "\"verdict\": \"proved\", \"quantiser\": "),
-                    HasSubstr("\"frames\": [0, 12], \"whole_frames\": 12, "),
-                    HasSubstr("{\"check\": \"size\", \"passed\": true, \"measured\": \"64x36\", "),
-                    HasSubstr("{\"frame\": 11, \"passed\": true, \"quantiser\": "),
-                    HasSubstr(", \"measured\": {\"rms\": "), HasSubstr(", \"brightness\": "),
-                    EndsWith("\"closer_to\": null}]}\n")));
+              AllOf(StartsWith("{\"clip\":\"out/tiny.mp4\",\"proved\":true,"
+                               "\"verdict\":\"proved\",\"quantiser\":"),
+                    HasSubstr("\"frames\":[0,12],\"whole_frames\":12,"),
+                    HasSubstr("{\"check\":\"size\",\"passed\":true,\"measured\":\"64x36\","),
+                    HasSubstr("{\"frame\":11,\"passed\":true,\"quantiser\":"),
+                    HasSubstr(",\"measured\":{\"rms\":"), HasSubstr(",\"brightness\":"),
+                    EndsWith("\"closer_to\":null}]}\n")));
 }
 
 TEST_F(VerifyCommand, FailsForAnotherScene) {
@@ -149,7 +149,7 @@ TEST_F(VerifyCommand, FailsForAnotherScene) {
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("\n  FAILED  motion       "), HasSubstr("\n  FAILED  frame 11     "),
                     HasSubstr("\nNOT PROVED: ")));
-  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output, HasSubstr("\"proved\": false"));
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output, HasSubstr("\"proved\":false"));
 }
 
 TEST_F(VerifyCommand, ProvesNoCoarseClip) {
@@ -160,7 +160,7 @@ TEST_F(VerifyCommand, ProvesNoCoarseClip) {
                                    HasSubstr(", above 32; changes of up to "),
                                    Not(HasSubstr("FAILED")), Not(HasSubstr("Proved"))));
   EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output,
-              HasSubstr("\"proved\": false, \"verdict\": \"consistent, coarsely\", "));
+              HasSubstr("\"proved\":false,\"verdict\":\"consistent, coarsely\","));
 }
 
 TEST_F(VerifyCommand, ProvesTheMotionAloneOfABrowsersClip) {
@@ -178,7 +178,7 @@ TEST_F(VerifyCommand, ProvesTheMotionAloneOfABrowsersClip) {
                               "pictures are a browser's own, which can't be compared."),
                     Not(HasSubstr("FAILED")), Not(HasSubstr("note"))));
   EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output,
-              HasSubstr("\"proved\": false, \"verdict\": \"motion proved\", "));
+              HasSubstr("\"proved\":false,\"verdict\":\"motion proved\","));
 }
 
 TEST_F(VerifyCommand, NotesOtherToolsWithoutFailing) {

@@ -90,11 +90,11 @@ TEST(DoctorReport, IsJsonToo) {
   reportCheckupAsJson(lameMachine(), out);
   EXPECT_THAT(
       out.str(),
-      AllOf(HasSubstr("{\"name\": \"EGL device 0\", \"device\": 0, \"default\": false, "
-                      "\"drm_node\": null, \"render_node\": \"/dev/dri/renderD128\", \"cuda\": 1, "
-                      "\"failure\": {\"call\": \"eglInitialize\", \"error\": "
+      AllOf(HasSubstr("{\"name\":\"EGL device 0\",\"device\":0,\"default\":false,"
+                      "\"drm_node\":null,\"render_node\":\"/dev/dri/renderD128\",\"cuda\":1,"
+                      "\"failure\":{\"call\":\"eglInitialize\",\"error\":"
                       "\"EGL_NOT_INITIALIZED\"}}"),
-            HasSubstr("\"free_bytes\": 12340000000"), HasSubstr("do this:\\n  a command")));
+            HasSubstr("\"free_bytes\":12340000000"), HasSubstr("do this:\\n  a command")));
 }
 
 }  // namespace

@@ -56,9 +56,9 @@ TEST(FarmReport, ListsOnlySomeOfManyTasks) {
 TEST(FarmReport, IsOneJsonObject) {
   std::ostringstream out;
   reportStatesAsJson({example()}, out);
-  EXPECT_THAT(out.str(), AllOf(HasSubstr(R"("command": "render")"), HasSubstr(R"("failed": true)"),
-                               HasSubstr(R"("remaining_s": 400)"),
-                               HasSubstr(R"("state": "running", "node": "n2")")));
+  EXPECT_THAT(out.str(), AllOf(HasSubstr(R"("command":"render")"), HasSubstr(R"("failed":true)"),
+                               HasSubstr(R"("remaining_s":400)"),
+                               HasSubstr(R"("state":"running","node":"n2")")));
 }
 
 TEST(FarmReport, SaysWhatWasSent) {

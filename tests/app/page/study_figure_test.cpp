@@ -30,7 +30,7 @@ void makeStudy(const fs::path& folder, const std::string& json) {
 
 /// Returns the result of a scene's study with these expectations.
 std::string resultOf(const scene::Scene& scene, const std::string& expectations) {
-  return R"({"scene_xxh128": ")" + store::studySceneChecksum(scene) + R"(", "expectations": [)" +
+  return R"({"scene_xxh128":")" + store::studySceneChecksum(scene) + R"(","expectations":[)" +
          expectations + "]}";
 }
 
@@ -42,13 +42,13 @@ const std::vector<std::string> kStudy{
 TEST(StudyFigure, TakesWhatIsExpectedFromItsResult) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene(kStudy);
-  makeStudy(folder, resultOf(scene, R"({"quantity": "order of rk4", "meaning": "<power>",
-                                "min": 3.9, "max": null, "measured": 4.01, "met": true},
-                               {"quantity": "order of euler", "meaning": "power",
-                                "min": null, "max": 0.5, "measured": null, "met": false},
-                               {"quantity": "diverges_at at 1, 2",
-                                "meaning": "when", "min": 8, "max": null, "measured": "inf",
-                                "met": true})"));
+  makeStudy(folder, resultOf(scene, R"({"quantity":"order of rk4","meaning":"<power>",
+                                "min":3.9,"max":null,"measured":4.01,"met":true},
+                               {"quantity":"order of euler","meaning":"power",
+                                "min":null,"max":0.5,"measured":null,"met":false},
+                               {"quantity":"diverges_at at 1,2",
+                                "meaning":"when","min":8.0,"max":null,"measured":"inf",
+                                "met":true})"));
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
   EXPECT_EQ(figure.thumbnail, "small-study.svg");

@@ -99,7 +99,7 @@ TEST(Bridge, HasTheMeshesOfOtherBodies) {
   EXPECT_LT(rb_body(0, 1), 0) << "no such motion";
   read(0, "[body]\nshape = \"t-handle\"\n[initial]\nangular_velocity = [4, 0, 0]\n");
   const std::string json = taken(rb_body(0, 0));
-  EXPECT_THAT(json, HasSubstr("\"parts\": [{\"first\": 0, "));
+  EXPECT_THAT(json, HasSubstr("\"parts\":[{\"first\":0,"));
   const std::size_t vertices = std::stoul(json.substr(json.find(':') + 1));
   EXPECT_GT(vertices, 1000U);
   for (std::size_t i = 0; i < vertices; ++i) {
@@ -118,12 +118,12 @@ TEST(Bridge, ReadsMeshesThatItWasGiven) {
   EXPECT_LT(rb_read(0, put(kBody)), 0);
   giveFile(kName, kTetrahedron);
   read(0, kBody);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\": 12, \"indices\": 12"));
+  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\":12,\"indices\":12"));
   // Of a record, which has the numbers alone, a box is drawn
   const std::string record = taken(rb_scene_text(0));
   ASSERT_EQ(rb_file(0, 0), 0);
   read(0, record);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\": 48"));
+  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\":48"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "base/json.h"
 
+#include <array>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,45 +11,39 @@
 namespace rotatebook {
 namespace {
 
-TEST(JsonString, EndsNeitherItselfNorAScript) {
-  EXPECT_EQ(jsonString("a\"b\\c\n\x01\x7f</script>ω"), R"("a\"b\\c\n\u0001\u007F\u003C/script>ω")");
-  EXPECT_EQ(jsonString(""), "\"\"");
+TEST(JsonText, IsUtf8WhateverItIsMadeOf) {
+  EXPECT_EQ(jsonText("a\xff\xc3 \"\xe2\x82\""), "\"a\uFFFD\uFFFD \\\"\uFFFD\\\"\"");
+  EXPECT_EQ(jsonText("Größe 書 🕮"), "\"Größe 書 🕮\"");
 }
 
-TEST(JsonString, IsUtf8WhateverItIsMadeOf) {
-  EXPECT_EQ(jsonString("a\xff\xc3 \"\xe2\x82\""), "\"a\uFFFD\uFFFD \\\"\uFFFD\uFFFD\\\"\"");
-  EXPECT_EQ(jsonString("Größe 書 🕮"), "\"Größe 書 🕮\"");
-}
-
-TEST(JsonObject, HasNullForWhatIsNoNumber) {
+TEST(JsonText, HasNullForWhatIsNoNumber) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(JsonObject()
-                .addNumber("nan", std::numeric_limits<double>::quiet_NaN())
-                .addNumber("infinite", -kInfinity)
-                .addNumberOrNull("none", {})
-                .addNumberOrNull("some", 0.1)
-                .addNumberOrNull("infinite too", kInfinity)
-                .addInteger("integer", 100'000)
-                .text(),
-            R"({"nan": null, "infinite": null, "none": null, "some": 0.1, "infinite too": null, )"
-            R"("integer": 100000})");
+  EXPECT_EQ(jsonText({{"nan", std::numeric_limits<double>::quiet_NaN()},
+                      {"infinite", -kInfinity},
+                      {"none", orNull(std::optional<double>())},
+                      {"some", orNull(std::optional(0.1))},
+                      {"empty", orNull("")},
+                      {"text", orNull("a")}}),
+            R"({"nan":null,"infinite":null,"none":null,"some":0.1,"empty":null,"text":"a"})");
 }
 
-TEST(JsonArray, HoldsValues) {
-  EXPECT_EQ(jsonArray({}), "[]");
-  EXPECT_EQ(jsonArrayOf(std::vector<std::string>{"a", "b"}, jsonString), R"(["a", "b"])");
+TEST(JsonText, HoldsMembersInTheirOrderOnOneLine) {
+  EXPECT_EQ(jsonText({{"b", "1\n"}, {"a", true}, {"list", {1, 0.5}}}),
+            R"({"b":"1\n","a":true,"list":[1,0.5]})");
 }
 
-TEST(JsonObject, HoldsMembersInTheirOrder) {
-  EXPECT_EQ(JsonObject().text(), "{}");
-  EXPECT_EQ(JsonObject()
-                .addString("b", "1")
-                .addStringOrNull("a", "")
-                .addNumber("number", 0.5)
-                .addBool("bool", true)
-                .add("list", "[1]")
-                .text(),
-            R"({"b": "1", "a": null, "number": 0.5, "bool": true, "list": [1]})");
+TEST(JsonArray, HoldsWhatIsMadeOfItems) {
+  const auto twice = [](int number) { return 2 * number; };
+  EXPECT_EQ(arrayOf(std::vector{1, 2}, twice), Json::array({2, 4}));
+  EXPECT_EQ(jsonText(arrayOf(std::vector<int>{}, twice)), "[]");
+  EXPECT_EQ(vectorJson(std::array{1.0, 0.5, 2.0}), Json::array({1.0, 0.5, 2.0}));
+}
+
+TEST(JsonResult, IsKnownByItsBeginning) {
+  const std::string text = jsonText({{"result", "map"}, {"name", "a"}});
+  EXPECT_TRUE(isResultOf("map", text));
+  EXPECT_FALSE(isResultOf("clip", text));
+  EXPECT_FALSE(isResultOf("map", R"({"name":"a","result":"map"})"));
 }
 
 }  // namespace

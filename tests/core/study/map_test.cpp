@@ -327,13 +327,12 @@ TEST(MapFiles, AreArraysOfNumPy) {
 
 TEST(MapFiles, SayWhatTheAxesAre) {
   const scene::Scene scene = sceneOf(std::string(kX) + kTilt + "measure = 'regime'\nsize = [5, 2]");
-  const std::string json = mapJson(mapResultOf(scene), scene, MapRuns(scene), {"F", "S", "C"});
-  EXPECT_THAT(json,
-              HasSubstr("\"x\": {\"key\": \"simulation.substeps\", \"label\": null, \"from\": "
-                        "1, \"to\": 6, \"scale\": \"linear\", \"count\": 5, \"first\": 1.5, "
-                        "\"last\": 5.5}"));
-  EXPECT_THAT(json,
-              HasSubstr("\"fingerprint\": \"F\", \"scene_xxh128\": \"S\", \"npy_xxh128\": \"C\""));
+  const std::string json =
+      jsonText(mapJson(mapResultOf(scene), scene, MapRuns(scene), {"F", "S", "C"}));
+  EXPECT_THAT(json, HasSubstr("\"x\":{\"key\":\"simulation.substeps\",\"label\":null,\"from\":"
+                              "1.0,\"to\":6.0,\"scale\":\"linear\",\"count\":5,\"first\":1.5,"
+                              "\"last\":5.5}"));
+  EXPECT_THAT(json, HasSubstr("\"fingerprint\":\"F\",\"scene_xxh128\":\"S\",\"npy_xxh128\":\"C\""));
   EXPECT_THAT(mapCsv(mapResultOf(scene), scene),
               StartsWith("simulation.substeps,initial.tilt.0,regime,outcome\n1.5,0.001"));
 }

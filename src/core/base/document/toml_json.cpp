@@ -1,9 +1,6 @@
 #include "base/document/toml_json.h"
 
-#include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
-#include <type_traits>
 #include <variant>
 
 #include "base/error.h"
@@ -13,25 +10,25 @@
 namespace rotatebook::document {
 namespace {
 
-using Json = nlohmann::ordered_json;
+Json jsonFrom(const TomlNode& node);
 
-std::string jsonOfTable(const TomlNode::Table& table) {
-  JsonObject object;
-  for (const TomlEntry& entry : table) object.add(entry.key, jsonOf(entry.node));
-  return object.text();
-}
-
-struct JsonOf {
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(std::int64_t value) const { return std::to_string(value); }
-  std::string operator()(double value) const {
-    return std::isfinite(value) ? shortestText(value) : "null";
+struct JsonFrom {
+  template <typename Value>
+  Json operator()(const Value& value) const {
+    return value;
   }
-  std::string operator()(const std::string& value) const { return jsonString(value); }
-  std::string operator()(TomlDate) const { return "null"; }
-  std::string operator()(const TomlNode::Array& value) const { return jsonArrayOf(value, jsonOf); }
-  std::string operator()(const TomlNode::Table& value) const { return jsonOfTable(value); }
+  Json operator()(TomlDate) const { return nullptr; }
+  Json operator()(const TomlNode::Array& value) const { return arrayOf(value, jsonFrom); }
+  Json operator()(const TomlNode::Table& value) const {
+    Json object = Json::object();
+    for (const TomlEntry& entry : value) object[entry.key] = jsonFrom(entry.node);
+    return object;
+  }
 };
+
+Json jsonFrom(const TomlNode& node) {
+  return std::visit(JsonFrom{}, node.value);
+}
 
 TomlNode nodeOf(const Json& json) {
   if (json.is_boolean()) return {json.get<bool>(), ""};
@@ -52,7 +49,7 @@ TomlNode nodeOf(const Json& json) {
 }  // namespace
 
 std::string jsonOf(const TomlNode& node) {
-  return std::visit(JsonOf{}, node.value);
+  return jsonText(jsonFrom(node));
 }
 
 TomlNode nodeOfJson(std::string_view text) {

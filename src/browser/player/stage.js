@@ -120,14 +120,14 @@ class Stage {
       .map((area) => ({x: x + area.x, y: y + area.y + label, width: area.width, height: Math.max(area.height - label, 1)}));
   }
 
-  /** Returns the part of the picture that books have, without buttons over it where they need that, and the height of their names. [CSS pixels] */
+  /** Returns the part of the picture that books have, without buttons over it where they would hide arrows, and the height of their names. [CSS pixels] */
   room({read: {motions}, scene}) {
     const {throws, views, box} = this, room = {left: 0, top: 0, right: box.width, named: 0};
-    const isShared = motions.length > 1, isNarrow = views.offsetTop >= box.height, left = throws.offsetLeft + throws.offsetWidth;
+    const isShared = motions.length > 1, left = throws.offsetLeft + throws.offsetWidth;
     if (isShared && motions.length <= kMostBooks) room.named = kNameHeight * letterSize();
     if (throws.offsetHeight > throws.offsetWidth) {  // In a low frame.
       if (isShared || views.offsetLeft - left >= box.height) Object.assign(room, {left, right: views.offsetLeft});
-    } else if (isShared || isNarrow && scene.shows("forces")) room.top = throws.offsetTop + throws.offsetHeight;
+    } else if (isShared || scene.shows("forces")) room.top = throws.offsetTop + throws.offsetHeight;
     return room;
   }
 

@@ -150,6 +150,8 @@ test("on paper there are the picture and its numbers, dark on white, and no cont
   await page.emulateMedia({media: "print"});
   assert.equal(await page.locator(":is(button, input, select, summary):visible").count(), 0);
   assert.equal(await page.evaluate(() => getComputedStyle(document.documentElement).backgroundColor), "rgb(255, 255, 255)");
+  const grounds = await page.locator(":is(.rb-picture, .rb-legend, .rb-ladder)").evaluateAll((all) => all.map((one) => getComputedStyle(one).printColorAdjust));
+  assert.deepEqual([...new Set(grounds)], ["exact"], "what is light on dark keeps its ground");
   // The lines get larger or smaller with the picture: the same share of it.
   const shareOfLines = () => page.evaluate(() => {
     const [lines, picture] = [".rb-lines", ".rb-picture"].map((part) => document.querySelector(part).getBoundingClientRect());

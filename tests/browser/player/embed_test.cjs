@@ -7,50 +7,48 @@ const http = require("node:http");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kOutput, kPlay, kPages, startBrowser, closeBrowser, open, violations, pageOfFigures, checksumOf, messageOf} = require("./live_page.cjs");
+const {kOutput, kPlayed, playedFile, startBrowser, closeBrowser, open, violations, checksumOf, messageOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
 
 /** Opens a page of a file with a line of HTML in it; returns it, and the frame. */
-async function openCourse(name, line) {
-  const file = path.join(kOutput, name);
+async function openCourse(name, line, folder = kOutput) {
+  const file = path.join(folder, name);
   fs.writeFileSync(file, `<!doctype html><html lang="en"><title>A course</title><main><h1>A course</h1>\n${line}\n</main>`);
   const course = await open({viewport: {width: 1100, height: 800}}, {file: pathToFileURL(file).href, isReady: null});
   return {...course, frame: course.page.frames()[1]};
 }
 
-for (const [name, fileOf] of Object.entries(kPages)) {
-  test(`${name}.html in a frame from file:`, async () => {
-    const file = fileOf(), address = pathToFileURL(file).href;
-    const {page, frame, problems, close} = await openCourse(`course-${name}.html`, `<iframe src="${address}#embed" title="The live book" width="960" height="600" allowfullscreen></iframe>`);
-    await frame.waitForFunction(() => document.querySelector(".rb-live")?.dataset.ready === "true" && document.readyState === "complete");
-    const seen = await frame.evaluate(() => {
-      const isSeen = (element) => element.checkVisibility() && element.getBoundingClientRect().height > 1;
-      const outside = [...document.body.querySelectorAll("*")].filter((element) => isSeen(element) && !element.closest(".rb-live") && !element.querySelector(".rb-live"));
-      const parts = [...document.querySelector(".rb-player").children].filter(isSeen).map((element) => element.className);
-      const {right, bottom} = document.querySelector(".rb-transport").getBoundingClientRect();
-      return {outside: outside.length, parts, ends: [right, bottom], scrolls: document.documentElement.scrollHeight > innerHeight};
-    });
-    assert.deepEqual(seen, {outside: 0, parts: ["rb-scene", "rb-transport"], ends: [960, 600], scrolls: false});
-    const link = frame.locator(".rb-whole");
-    assert.equal(await link.getAttribute("href"), address);
-    await frame.locator(".rb-throws [data-axis=z]").click();
-    await frame.waitForFunction(() => rotatebook.player.outcome.spin?.axis === "largest" && rotatebook.player.frame > 5);
-    await page.screenshot({path: path.join(kOutput, `embed-${name}.png`)});
-    await frame.locator("[data-do=full]").click();
-    await page.waitForFunction(() => document.fullscreenElement?.localName === "iframe");
-    await page.keyboard.press("Escape");
-    await page.waitForFunction(() => document.fullscreenElement === null);
-    assert.ok(await frame.locator(".rb-bare").isVisible(), "it stays alone");
-    const [whole] = await Promise.all([page.context().waitForEvent("page"), link.click()]);
-    await whole.waitForFunction(() => document.querySelector(".rb-live").dataset.ready === "true");
-    assert.ok(await whole.locator(".rb-numbers").first().isVisible());
-    assert.deepEqual(problems, []);
-    assert.deepEqual(await violations(page), []);  // Last, as axe's own messages between files are refused.
-    await close();
+test("in a frame from file:", async () => {
+  const address = pathToFileURL(playedFile()).href;
+  const {page, frame, problems, close} = await openCourse(`course-${kPlayed}.html`, `<iframe src="${address}#embed" title="The live book" width="960" height="600" allowfullscreen></iframe>`);
+  await frame.waitForFunction(() => document.querySelector(".rb-live")?.dataset.ready === "true" && document.readyState === "complete");
+  const seen = await frame.evaluate(() => {
+    const isSeen = (element) => element.checkVisibility() && element.getBoundingClientRect().height > 1;
+    const outside = [...document.body.querySelectorAll("*")].filter((element) => isSeen(element) && !element.closest(".rb-live") && !element.querySelector(".rb-live"));
+    const parts = [...document.querySelector(".rb-player").children].filter(isSeen).map((element) => element.className);
+    const {right, bottom} = document.querySelector(".rb-transport").getBoundingClientRect();
+    return {outside: outside.length, parts, ends: [right, bottom], scrolls: document.documentElement.scrollHeight > innerHeight};
   });
-}
+  assert.deepEqual(seen, {outside: 0, parts: ["rb-scene", "rb-transport"], ends: [960, 600], scrolls: false});
+  const link = frame.locator(".rb-whole");
+  assert.equal(await link.getAttribute("href"), address);
+  await frame.locator(".rb-throws [data-axis=z]").click();
+  await frame.waitForFunction(() => rotatebook.player.outcome.spin?.axis === "largest" && rotatebook.player.frame > 5);
+  await page.screenshot({path: path.join(kOutput, `embed-${kPlayed}.png`)});
+  await frame.locator("[data-do=full]").click();
+  await page.waitForFunction(() => document.fullscreenElement?.localName === "iframe");
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => document.fullscreenElement === null);
+  assert.ok(await frame.locator(".rb-bare").isVisible(), "it stays alone");
+  const [whole] = await Promise.all([page.context().waitForEvent("page"), link.click()]);
+  await whole.waitForFunction(() => document.querySelector(".rb-live").dataset.ready === "true");
+  assert.ok(await whole.locator(".rb-numbers").first().isVisible());
+  assert.deepEqual(problems, []);
+  assert.deepEqual(await violations(page), []);  // Last, as axe's own messages between files are refused.
+  await close();
+});
 
 /** Where the book and the controls are, and how large the book is, over the first turns; all in the frame's pixels. */
 const seenIn = (page) => page.evaluate(() => {
@@ -104,23 +102,24 @@ test("the line to copy is a frame of what is played", async () => {
   await page.waitForFunction(() => /clipboard/.test(document.querySelector(".rb-message").textContent));
   assert.match(await messageOf(page), /^A line of HTML for the course page is in the clipboard/);
   const line = await page.evaluate(() => navigator.clipboard.readText());
-  assert.match(line, /^<iframe src="play.html#embed&amp;play=[\w-]+" title="The live book" width="960" height="600" allow="accelerometer; gyroscope" allowfullscreen="" loading="lazy"><\/iframe>$/);
+  assert.match(line, /^<iframe src="(play|index).html#embed&amp;play=[\w-]+" title="The live book" width="960" height="600" allow="accelerometer; gyroscope" allowfullscreen="" loading="lazy"><\/iframe>$/);
   await close();
-  fs.copyFileSync(kPlay, path.join(kOutput, "play.html"));
-  const course = await openCourse("course-copied.html", line);
+  // Beside the page, or a copy of it.
+  if (kPlayed === "play") fs.copyFileSync(playedFile(), path.join(kOutput, "play.html"));
+  const course = await openCourse("course-copied.html", line, kPlayed === "play" ? kOutput : path.dirname(playedFile()));
   await course.frame.waitForFunction(() => document.querySelector(".rb-live")?.dataset.ready === "true");
   assert.equal(await checksumOf(course.frame), checksum);
-  assert.match(await course.frame.locator(".rb-whole").getAttribute("href"), /play\.html#play=/);
+  assert.match(await course.frame.locator(".rb-whole").getAttribute("href"), /\.html#play=/);
   assert.deepEqual([...problems, ...course.problems], []);
   await course.close();
 });
 
 test("a frame from elsewhere has the sensors of a toss, and full screen", async () => {
-  const pages = {"/play.html": fs.readFileSync(kPlay)};
+  const pages = {"/live.html": fs.readFileSync(playedFile())};
   const server = http.createServer(({url}, response) => response.writeHead(pages[url] ? 200 : 404, {"content-type": "text/html"}).end(pages[url]));
   await new Promise((resolve) => { server.listen(0, resolve); });
   const {port} = server.address();
-  const {page, close} = await open({}, {file: `http://127.0.0.1:${port}/play.html`});
+  const {page, close} = await open({}, {file: `http://127.0.0.1:${port}/live.html`});
   await page.evaluate(() => { navigator.clipboard.writeText = async (text) => { window.copied = text; }; });
   await page.locator(".rb-more summary").click();
   await page.locator("[data-do=frame]").click();
@@ -142,7 +141,7 @@ test("a step of the tour in a frame", async () => {
   const {page, problems, close} = await open({}, {hash: "#embed&tour=3"});
   assert.match(await page.locator(".rb-step").textContent(), /step 3/);
   assert.ok(await page.locator(".rb-whole").isVisible() && await page.locator("h1").isHidden());
-  assert.match(await page.locator(".rb-whole").getAttribute("href"), /play\.html#tour=3$/);
+  assert.match(await page.locator(".rb-whole").getAttribute("href"), /\.html#tour=3$/);
   assert.deepEqual(await violations(page), []);
   await page.getByRole("button", {name: "Leave the tour"}).click();
   assert.ok(await page.locator(".rb-bare").isVisible());
@@ -150,8 +149,8 @@ test("a step of the tour in a frame", async () => {
   await close();
 });
 
-test("the page has each clip's line", async () => {
-  const file = pageOfFigures(), {page, close} = await open({}, {file: pathToFileURL(file).href});
+if (kPlayed === "index") test("the page has each clip's line", async () => {
+  const file = playedFile(), {page, close} = await open();
   const line = await page.locator("#turns .elsewhere pre").evaluate((pre) => pre.textContent);
   assert.match(line, /^<video controls loop muted playsinline preload="none" width="64" height="36" poster="turns[^"]*\.png" src="turns\.mp4"><\/video>$/);
   await close();

@@ -3,6 +3,7 @@
 
 const assert = require("node:assert/strict");
 const fs = require("node:fs");
+const nodeTest = require("node:test");
 const path = require("node:path");
 const {pathToFileURL} = require("node:url");
 const {execFileSync, spawnSync} = require("node:child_process");
@@ -78,8 +79,11 @@ async function recordOf(file) {
 /** Both pages with the live book: their files, made at a call. */
 const kPages = {play: () => kPlay, index: pageOfFigures};
 let played = null;
-/** The file of the page that the suite is run with. */
-const playedFile = () => played ??= kPages[process.env.ROTATEBOOK_PLAYED ?? "play"]();
+/** The page that the suite is run with, and its file. */
+const kPlayed = process.env.ROTATEBOOK_PLAYED ?? "play", playedFile = () => played ??= kPages[kPlayed]();
+
+/** A test for which it doesn't matter what is around the live book: it is run with play.html alone. */
+const testOnce = (...test) => { if (kPlayed === "play") nodeTest.test(...test); };
 
 /** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
 async function open(options = {}, {hash = "", script = null, isReady = "true", file = pathToFileURL(playedFile()).href} = {}) {
@@ -121,4 +125,4 @@ const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
 const messageOf = (page) => page.locator(".rb-message").textContent();
 const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
 
-module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, violations, kPages, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf, load};
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, verify, render, playerScripts, coreFor, recordOf, open, violations, kPages, kPlayed, playedFile, testOnce, pageOfFigures, checksumOf, frameOf, sceneOf, messageOf, load};

@@ -5,7 +5,7 @@ const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const path = require("node:path");
 const {test, before, after} = require("node:test");
-const {kOutput, kTurns, startBrowser, closeBrowser, open, load, verify, playerScripts, checksumOf, frameOf, messageOf, sceneOf} = require("./live_page.cjs");
+const {kOutput, kTurns, testOnce, startBrowser, closeBrowser, open, load, verify, playerScripts, checksumOf, frameOf, messageOf, sceneOf} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -35,7 +35,7 @@ async function saved(page, name) {
   return {file, name: download.suggestedFilename()};
 }
 
-for (const script of [null, kNoH264]) test(`a clip is saved whole, at its own pace, ${script ? "without H.264, too, " : ""}and is what its record says`, async () => {
+for (const [script, define] of [[null, test], [kNoH264, testOnce]]) define(`a clip is saved whole, at its own pace, ${script ? "without H.264, too, " : ""}and is what its record says`, async () => {
   const {page, problems, close} = await opened(kShort, {script});
   const start = performance.now(), {file, name} = await saved(page, "saved"), took = performance.now() - start;
   assert.match(name, script ? /^live-book\.webm$/ : /^live-book\.(mp4|webm)$/);
@@ -55,7 +55,7 @@ for (const script of [null, kNoH264]) test(`a clip is saved whole, at its own pa
   await close();
 });
 
-test("a saved clip of which a word was changed is refused", async () => {
+testOnce("a saved clip of which a word was changed is refused", async () => {
   const {page, close} = await opened();
   const {file} = await saved(page, "changed"), bytes = fs.readFileSync(file);
   bytes.write("[6.5", bytes.indexOf("[6.0, 0.0, 0.0]"));
@@ -86,6 +86,7 @@ const picturesOf = (page, file, wanted, rate) => page.evaluate(async ([address, 
 const shownAt = (page, frame) => page.evaluate((at) => {
   const {player} = rotatebook, canvas = Object.assign(document.createElement("canvas"), {width: 320, height: 180}), context = canvas.getContext("2d");
   player.drawing.room = () => ({left: 0, top: 0, right: player.drawing.box.width, named: 0});  // As in clips, where no buttons are over the books.
+  player.drawing.room = () => ({left: 0, top: 0, right: player.drawing.box.width, named: 0});  // No buttons are over a clip.
   player.drawing.draw(at, player);
   for (const layer of ["picture", "lines"]) context.drawImage(player.drawing[layer], 0, 0, 320, 180);
   return [...context.getImageData(0, 0, 320, 180).data];
@@ -98,7 +99,7 @@ function offIn([top, bottom], picture, other) {
   return sum / (4 * 320 * (bottom - top));
 }
 
-test("its pictures are those of the page, with the words", async () => {
+testOnce("its pictures are those of the page, with the words", async () => {
   const {page, close} = await opened(kShort, {}, {width: 800, height: 900});  // As wide as the clip for its height.
   const frames = [10, 30, 59], {file} = await saved(page, "pictures"), pictures = await picturesOf(page, file, frames, 60);
   for (const [i, frame] of frames.entries()) {
@@ -113,7 +114,7 @@ test("its pictures are those of the page, with the words", async () => {
 // Five pictures a second, so 60 in 12 s.
 const kLong = kTurns.replace("[64, 36]\nduration = 1.5", "[320, 180]\nfps = 5\nduration = 20");
 
-test("twelve seconds are saved from the moment that is shown, or all by choice", async () => {
+testOnce("twelve seconds are saved from the moment that is shown, or all by choice", async () => {
   const {page, problems, close} = await opened(kLong, {}, {width: 800, height: 900});
   for (const [at, length, part, frames] of [[30, "12", "frames 30:90 of 100", 60], [95, "12", "frames 40:100 of 100", 60], [30, "Infinity", "100 frames", 100]]) {
     await page.evaluate((frame) => rotatebook.player.seek(frame), at);
@@ -135,7 +136,7 @@ test("twelve seconds are saved from the moment that is shown, or all by choice",
   await close();
 });
 
-test("the time that is left is said in round numbers that don't jitter", () => {
+testOnce("the time that is left is said in round numbers that don't jitter", () => {
   const {TimeLeft} = playerScripts(["save_clip"], ["TimeLeft"]);
   const worst = {s: 0, min: 0};
   for (const whole of [30, 200, 1000]) {
@@ -175,7 +176,7 @@ test("saving is cancelled by a button, and nothing else waits for it", async () 
   await close();
 });
 
-test("without an encoder there is a ZIP of pictures, and its record", async () => {
+testOnce("without an encoder there is a ZIP of pictures, and its record", async () => {
   const {page, problems, close} = await opened(kShort, {script: kNoEncoder});
   const {file, name} = await saved(page, "pictures");
   assert.equal(name, "live-book.zip");
@@ -188,7 +189,7 @@ test("without an encoder there is a ZIP of pictures, and its record", async () =
   await close();
 });
 
-test("an encoder that only says it encodes is passed by, and one that breaks off is said", async () => {
+testOnce("an encoder that only says it encodes is passed by, and one that breaks off is said", async () => {
   const silent = await opened(kShort, {script: `VideoEncoder.prototype.encode = () => {};`});
   assert.equal((await saved(silent.page, "silent")).name, "live-book.zip");
   await silent.close();

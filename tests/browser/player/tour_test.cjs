@@ -1,17 +1,15 @@
-// The tour: six steps, each done as it asks, by mouse and by keyboard, in both pages; links, and the way out.
+// The tour: six steps, each done as it asks, by mouse and by keyboard; links, and the way out.
 "use strict";
 
 const assert = require("node:assert/strict");
-const {pathToFileURL} = require("node:url");
 const {test, before, after} = require("node:test");
-const {kPages, startBrowser, closeBrowser, open, violations, checksumOf, frameOf, sceneOf, messageOf} = require("./live_page.cjs");
+const {testOnce, startBrowser, closeBrowser, open, violations, checksumOf, frameOf, sceneOf, messageOf} = require("./live_page.cjs");
 
 const kSteps = 6;
 
 before(() => startBrowser());
 after(closeBrowser);
 
-const openFile = (name, options, more) => open(options, {file: pathToFileURL(kPages[name]()).href, ...more});
 const lineOf = (page) => page.locator(".rb-step").textContent();
 const nextOf = (page) => page.locator(".rb-next");
 const hashOf = (page) => page.evaluate(() => location.hash);
@@ -59,65 +57,63 @@ const kWays = {
 const kShownInstead = "Shown instead: A book thrown about its middle axis.";
 const notAStep = (part) => `“${part}” in this link is no step of the tour, from #tour=1 to #tour=6; in a frame, #embed&tour=1. ${kShownInstead}`;
 
-for (const name of Object.keys(kPages)) {
-  for (const [device, {next, acts}] of Object.entries(kWays)) {
-    test(`six steps by ${device} in ${name}.html`, async () => {
-      const {page, problems, close} = await openFile(name, {viewport: {width: 1024, height: 768}});
-      await page.locator(".rb-speed select").selectOption("8");
-      await page.evaluate(() => {
-        window.told = [];
-        const region = document.querySelector(".rb-events");
-        new MutationObserver(() => told.push(region.textContent)).observe(region, {childList: true, characterData: true, subtree: true});
-      });
-      if (device === "mouse") await page.locator("[data-do=tour]").click();
-      else await press(page, "[data-do=tour]");
-      for (let step = 1; step <= kSteps; ++step) {
-        await waitForStep(page, step);
-        assert.ok(await nextOf(page).isDisabled(), "something is to be done");
-        await page.waitForTimeout(200);
-        assert.ok(await nextOf(page).isDisabled(), "and it is not done by waiting");
-        await acts[step - 1](page);
-        await waitUntilDone(page);
-        if (device === "mouse") assert.deepEqual(await violations(page), []);
-        await next(page);
-      }
-      await page.locator(".rb-question").waitFor({state: "hidden"});
-      assert.equal(await hashOf(page), "");
-      assert.equal((await sceneOf(page)).initial.angular_velocity[1], 4, "one's own book stays");
-      assert.ok((await page.evaluate(() => told)).includes("Done. Go on: “Next”."));
-      assert.deepEqual([problems, await messageOf(page)], [[], ""]);
-      await close();
+for (const [device, {next, acts}] of Object.entries(kWays)) {
+  test(`six steps by ${device}`, async () => {
+    const {page, problems, close} = await open({viewport: {width: 1024, height: 768}});
+    await page.locator(".rb-speed select").selectOption("8");
+    await page.evaluate(() => {
+      window.told = [];
+      const region = document.querySelector(".rb-events");
+      new MutationObserver(() => told.push(region.textContent)).observe(region, {childList: true, characterData: true, subtree: true});
     });
-  }
-
-  test(`a link opens a step in ${name}.html, and the ways back`, async () => {
-    const {page, problems, close} = await openFile(name, {}, {hash: "#tour=3"});
-    const titleOf = async () => (await sceneOf(page)).title;
-    await waitForStep(page, 3);
-    assert.equal(await titleOf(), "Ride with it");
-    await page.evaluate(() => { location.hash = "#tour=5"; });
-    await waitForStep(page, 5);
-    assert.equal(await titleOf(), "Why not the others");
-    await page.goBack();
-    await waitForStep(page, 3);
-    await page.locator("[data-do=reset]").click();
-    await waitForStep(page, 3);
-    await page.evaluate(() => { location.hash = "#elsewhere"; });
+    if (device === "mouse") await page.locator("[data-do=tour]").click();
+    else await press(page, "[data-do=tour]");
+    for (let step = 1; step <= kSteps; ++step) {
+      await waitForStep(page, step);
+      assert.ok(await nextOf(page).isDisabled(), "something is to be done");
+      await page.waitForTimeout(200);
+      assert.ok(await nextOf(page).isDisabled(), "and it is not done by waiting");
+      await acts[step - 1](page);
+      await waitUntilDone(page);
+      if (device === "mouse") assert.deepEqual(await violations(page), []);
+      await next(page);
+    }
     await page.locator(".rb-question").waitFor({state: "hidden"});
-    assert.equal(await titleOf(), "A book thrown about its middle axis");
-    await page.evaluate(() => { location.hash = "#tour=3"; });
-    await waitForStep(page, 3);
-    await page.evaluate(() => { location.hash = "#tour=7"; });
-    await page.locator(".rb-question").waitFor({state: "hidden"});
-    assert.equal(await page.locator(".rb-said").textContent(), notAStep("#tour=7"));
     assert.equal(await hashOf(page), "");
-    assert.deepEqual(problems, []);
+    assert.equal((await sceneOf(page)).initial.angular_velocity[1], 4, "one's own book stays");
+    assert.ok((await page.evaluate(() => told)).includes("Done. Go on: “Next”."));
+    assert.deepEqual([problems, await messageOf(page)], [[], ""]);
     await close();
   });
 }
 
+test("a link opens a step, and the ways back", async () => {
+  const {page, problems, close} = await open({}, {hash: "#tour=3"});
+  const titleOf = async () => (await sceneOf(page)).title;
+  await waitForStep(page, 3);
+  assert.equal(await titleOf(), "Ride with it");
+  await page.evaluate(() => { location.hash = "#tour=5"; });
+  await waitForStep(page, 5);
+  assert.equal(await titleOf(), "Why not the others");
+  await page.goBack();
+  await waitForStep(page, 3);
+  await page.locator("[data-do=reset]").click();
+  await waitForStep(page, 3);
+  await page.evaluate(() => { location.hash = "#elsewhere"; });
+  await page.locator(".rb-question").waitFor({state: "hidden"});
+  assert.equal(await titleOf(), "A book thrown about its middle axis");
+  await page.evaluate(() => { location.hash = "#tour=3"; });
+  await waitForStep(page, 3);
+  await page.evaluate(() => { location.hash = "#tour=7"; });
+  await page.locator(".rb-question").waitFor({state: "hidden"});
+  assert.equal(await page.locator(".rb-said").textContent(), notAStep("#tour=7"));
+  assert.equal(await hashOf(page), "");
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 for (const hash of ["#tour=0", "#tour=abc", "#tour=2&embed", "#embed#tour=3", "#embed&tour=9", "#play=x", "#embed&play=x"]) {
-  test(`a broken link, ${hash}, is said, and what is shown instead`, async () => {
+  testOnce(`a broken link, ${hash}, is said, and what is shown instead`, async () => {
     const {page, problems, close} = await open({viewport: {width: 1024, height: 768}}, {hash});
     assert.equal(await page.locator(".rb-said").textContent(), /play/.test(hash) ? `The scene in this link can’t be read: it is damaged or cut off. ${kShownInstead}` : notAStep(hash));
     const {y, height} = await page.locator(".rb-said").boundingBox();
@@ -127,7 +123,7 @@ for (const hash of ["#tour=0", "#tour=abc", "#tour=2&embed", "#embed#tour=3", "#
   });
 }
 
-test("who leaves has the book as it was", async () => {
+testOnce("who leaves has the book as it was", async () => {
   const {page, problems, close} = await open({viewport: {width: 1366, height: 768}});
   await page.evaluate(() => {
     const {player} = rotatebook;
@@ -159,7 +155,7 @@ test("who leaves has the book as it was", async () => {
   await close();
 });
 
-test("a scene from elsewhere, or a question, ends the tour", async () => {
+testOnce("a scene from elsewhere, or a question, ends the tour", async () => {
   const {page, close} = await open({}, {hash: "#tour=2"});
   await waitForStep(page, 2);
   await page.evaluate(() => rotatebook.play("title = \"t\"\n[initial]\nangular_velocity = [4, 0, 0.1]\n"));
@@ -177,7 +173,7 @@ test("a scene from elsewhere, or a question, ends the tour", async () => {
   await close();
 });
 
-test("a change that closes the question of a step goes on with the tour", async () => {
+testOnce("a change that closes the question of a step goes on with the tour", async () => {
   const {page, close} = await open({}, {hash: "#tour=1"});
   await waitForStep(page, 1);
   await page.locator("input[name=rb-frame][value=body]").check();

@@ -46,6 +46,25 @@ test("the tour is gone through, and left", async () => {
   }
 });
 
+test("it fills the screen by its button, and leaves it by the key", async () => {
+  const {page, close} = await open(true);
+  const isFull = (wanted) => page.waitForFunction((on) => (document.fullscreenElement !== null) === on && (document.querySelector(".rb-bare") !== null) === on, {}, wanted);
+  try {
+    await page.click("[data-do=full]");
+    await isFull(true);
+    const [label, box, size] = await page.evaluate(() => {
+      const {left, top, right, bottom} = document.querySelector(".rb-player").getBoundingClientRect();
+      return [document.querySelector("[data-do=full]").getAttribute("aria-label"), [left, top, right, bottom], [innerWidth, innerHeight]];
+    });
+    assert.deepEqual([label, ...box.map(Math.round)], ["Leave full screen", 0, 0, ...size]);
+    await page.focus(".rb-picture");
+    await page.keyboard.press("f");
+    await isFull(false);
+  } finally {
+    await close();
+  }
+});
+
 test("in a frame from a file it is alone, fills the frame, and is thrown", async () => {
   const course = path.join(kOutput, "course-firefox.html");
   fs.writeFileSync(course, `<!doctype html><html lang="en"><title>A course</title><iframe src="${pathToFileURL(kPlay).href}#embed" width="960" height="600" allowfullscreen></iframe>`);

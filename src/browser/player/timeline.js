@@ -1,7 +1,7 @@
 // The time line: the kept motion as a curve of tilt, with half-turns and throws, and a slider over it.
 
 const kSlowest = 0.25, kSlowFrom = 15;  // Of the speed; of the tilt, down to the slowest at twice as much [degrees].
-const kBookColours = ["#8fc7f0", "#f0b070", "#7fd6ab", "#dba3da", "#dcc664", "#f2978d"], kEndColour = "#f2978d";
+const kBookColours = ["#8fc7f0", "#f0b070", "#7fd6ab", "#dba3da", "#dcc664", "#f2978d"];
 
 /** Returns the colour of a book's curve: above so many books, the same for all. */
 const colourOfCurve = (book, books) => kBookColours[books > kBookColours.length ? 0 : book];
@@ -75,7 +75,7 @@ class Timeline {
     if (isSecret) return;
     const colourOf = (book) => colourOfCurve(book, this.tracks.length);
     this.tracks.forEach((track, motion) => this.#curve(context, track, x, height, colourOf(motion), scale));
-    for (const event of this.events) this.#mark(context, x(event.frame), height, event.isEnd ? kEndColour : colourOf(event.motion), scale);
+    for (const event of this.events) this.#mark(context, x(event.frame), height, event.isEnd ? kBookColours[5] : colourOf(event.motion), scale);
     for (const nudge of nudges) this.#mark(context, nudge * width, height, kColours.omega, scale, true);
   }
 

@@ -10,14 +10,14 @@
 
 #include <Eigen/Core>
 
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 
 namespace rotatebook::bench {
 
 /// The motion that every row of the table makes. The body floats free: no gravity, no damping, and
 /// it never goes to sleep.
 struct Motion {
-  physics::Cuboid book;
+  body::Cuboid book;
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< At t = 0, when body and world axes agree. [rad/s]
 };
 

@@ -21,7 +21,7 @@ struct DeleteData {
 using ModelHandle = std::unique_ptr<mjModel, DeleteModel>;
 using DataHandle = std::unique_ptr<mjData, DeleteData>;
 
-std::string modelText(const physics::Cuboid& book) {
+std::string modelText(const body::Cuboid& book) {
   const Eigen::Vector3d half = book.size / 2;
   std::ostringstream text;
   text.precision(17);

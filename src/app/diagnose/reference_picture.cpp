@@ -15,10 +15,10 @@ render::RenderSettings referencePictureSettings() {
   return settings;
 }
 
-physics::Cage referencePictureBook() {
+body::Cage referencePictureBook() {
   const Eigen::AngleAxisd left(0.6, Eigen::Vector3d::UnitY());
   const Eigen::AngleAxisd forward(0.35, Eigen::Vector3d::UnitX());
-  return (forward * left).toRotationMatrix() * physics::Cuboid{}.corners();
+  return (forward * left).toRotationMatrix() * body::Cuboid{}.corners();
 }
 
 image::Image drawReferencePicture(const render::BookTextures& textures,

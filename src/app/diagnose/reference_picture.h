@@ -1,9 +1,9 @@
 // A small picture of the book that every renderer must draw alike. Inside the room only.
 #pragma once
 
+#include "body/cuboid.h"
 #include "image/comparison.h"
 #include "image/image.h"
-#include "physics/cuboid.h"
 #include "render/device/device.h"
 #include "render/renderer.h"
 
@@ -19,7 +19,7 @@ inline constexpr image::Tolerance kHardwareTolerance{.largest = 8, .failPercent 
 /// Returns the picture's settings: 96x54 pixels.
 render::RenderSettings referencePictureSettings();
 /// Returns the book's corners [m], in an attitude that shows front cover, spine and pages.
-physics::Cage referencePictureBook();
+body::Cage referencePictureBook();
 
 /// Draws the picture with `textures`. Throws as Renderer does.
 image::Image drawReferencePicture(const render::BookTextures& textures,

@@ -82,7 +82,7 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
 }
 
 void FrameDrawer::exposeGrid(std::int64_t frame, Exposure& exposure) {
-  std::vector<physics::Cage> cages;
+  std::vector<body::Cage> cages;
   std::vector<geometry::Camera> cameras;
   for (std::size_t motion = 0; motion < exposure.bodies.size(); ++motion) {
     cages.push_back(cageOf(motion, motion_->sampleAt(motion, frame)));
@@ -112,7 +112,7 @@ void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
       return exposure.bodies[motion].clipFromWorld;
     }
     panel = exposure.blurred[motion];
-    const physics::Cage cage = cageOf(motion, sample);
+    const body::Cage cage = cageOf(motion, sample);
     const geometry::Camera camera = cameraAt(motion, exposure.frame);
     return geometry::project(camera, cage, composition_->screen()).clipFromWorld;
   };
@@ -123,7 +123,7 @@ geometry::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) c
   return geometry::movedAway(camera_.at(frame), distances_.at(motion, frame));
 }
 
-physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
+body::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
   return referenceFrames_[motion].seen(motion_->trajectories()[motion].samples[sample]).cage;
 }
 

@@ -59,7 +59,7 @@ class FrameDrawer final : public FramePainter {
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device, std::future<LoadedLooks> looks);
 
-  physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
+  body::Cage cageOf(std::size_t motion, std::size_t sample) const;
   geometry::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
   /// Lets the background be seen from a motion's frame of reference at that moment.
   void turnTo(std::size_t motion, const physics::Sample& sample);

@@ -4,7 +4,6 @@
 
 #include "base/json.h"
 #include "base/number_text.h"
-#include "body/shape.h"
 #include "geometry/body_mesh.h"
 #include "scene/solid_numbers.h"
 
@@ -19,7 +18,8 @@ body::Surface surfaceOf(const scene::Motion& motion,
     const std::string* bytes = fileOf(name);
     if (bytes == nullptr) {
       const Eigen::Vector3d& size = motion.body.size;
-      return {.mesh = body::findShape("box")->solid({size.data(), 3}).surface};
+      return scene::surfaceOf(
+          {.parts = {{.shape = "box", .lengths = {size.x(), size.y(), size.z()}}}});
     }
     takeMeshFile(*bytes, solid.mesh);
   }

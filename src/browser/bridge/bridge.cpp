@@ -347,7 +347,7 @@ std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t fram
     const PlayedScene& played = in(slot);
     const geometry::Camera camera =
         played.camera(index, frame, screen, {orbit[0], orbit[1], distance});
-    const physics::Cage around = kDepthAround * played.sample(index, frame).cage;
+    const body::Cage around = kDepthAround * played.sample(index, frame).cage;
     Eigen::Matrix4d clipFromWorld = geometry::project(camera, around, screen).clipFromWorld;
     clipFromWorld.row(1) *= -1;  // The program's clip y points down.
     Eigen::Map<Eigen::Matrix4f>{matrix} = clipFromWorld.cast<float>();

@@ -53,8 +53,8 @@ Json keysJson() {
 }
 
 /// Returns [[i, j, length]] for the springs between all pairs of corners. [m]
-Json springsJson(const physics::Cuboid& body) {
-  const physics::Cage corners = body.corners();
+Json springsJson(const body::Cuboid& body) {
+  const body::Cage corners = body.corners();
   Json springs = Json::array();
   for (int i = 0; i < 8; ++i) {
     for (int j = i + 1; j < 8; ++j) {

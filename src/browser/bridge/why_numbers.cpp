@@ -28,8 +28,8 @@ void append(std::vector<double>& numbers, const Values& values) {
 }
 
 /// Returns the linear map from the body to its cage: the best one, by least squares.
-Matrix3d mapOf(const physics::Cuboid& body, const physics::Cage& cage) {
-  const physics::Cage rest = body.corners();
+Matrix3d mapOf(const body::Cuboid& body, const body::Cage& cage) {
+  const body::Cage rest = body.corners();
   const Vector3d squares = rest.rowwise().squaredNorm();
   return (cage.colwise() - cage.rowwise().mean()) * rest.transpose() *
          squares.cwiseInverse().asDiagonal();

@@ -9,7 +9,7 @@
 
 namespace rotatebook::geometry {
 
-/// Dimensions of the book that the mesh models, in the proportions of physics::Cuboid's default. x
+/// Dimensions of the book that the mesh models, in the proportions of body::Cuboid's default. x
 /// runs from the spine to the fore edge, y from foot to head, z from back to front. [mm]
 struct BookDimensions {
   float width = 187.8F, height = 290.85F, thickness = 50;

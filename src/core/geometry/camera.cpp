@@ -59,7 +59,7 @@ Camera movedAway(Camera camera, double multiple) {
   return camera;
 }
 
-Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen) {
+Projection project(const Camera& camera, const body::Cage& points, const Screen& screen) {
   const Eigen::Matrix4d view = viewFromWorld(camera);
   const Eigen::Matrix<double, 4, 8> viewPoints = view * points.colwise().homogeneous();
   // Fit the depth range to the points
@@ -86,7 +86,7 @@ Projection project(const Camera& camera, const physics::Cage& points, const Scre
 Eigen::Matrix4d skyFromPicture(const Camera& camera, const Screen& screen,
                                const Eigen::Matrix3d& worldFromFrame) {
   // The depth range, which follows the points, isn't in the rows that are used
-  const Eigen::Matrix4d clip = project(camera, physics::Cage::Zero(), screen).clipFromWorld;
+  const Eigen::Matrix4d clip = project(camera, body::Cage::Zero(), screen).clipFromWorld;
   Eigen::Matrix3d clipFromDirection;
   clipFromDirection << clip.block<2, 3>(0, 0), clip.block<1, 3>(3, 0);
   const double shorter = std::min(screen.width, screen.height);

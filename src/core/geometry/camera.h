@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "body/cuboid.h"
 #include "geometry/hull_bands.h"
-#include "physics/cuboid.h"
 
 namespace rotatebook::geometry {
 
@@ -45,7 +45,7 @@ struct Screen {
 Camera movedAway(Camera camera, double multiple);
 
 /// Projects `points` (world) onto `screen`.
-Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen);
+Projection project(const Camera& camera, const body::Cage& points, const Screen& screen);
 
 /// Returns what takes (x, y, 1, 1), from the middle of the picture in halves of its shorter side, y
 /// down, to the direction in the world that is seen there. `camera` is in a frame of reference from

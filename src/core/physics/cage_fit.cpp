@@ -4,8 +4,8 @@
 
 namespace rotatebook::physics {
 
-CageFit::CageFit(const Cuboid& body) {
-  const Cage corners = body.corners();
+CageFit::CageFit(const body::Cuboid& body) {
+  const body::Cage corners = body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();
   mapFromCage_ = corners.transpose() * products.inverse();
 }

@@ -3,17 +3,17 @@
 
 #include <Eigen/Core>
 
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 
 namespace rotatebook::physics {
 
 /// Fits linear maps to the cages of one body, by least squares over its eight corners.
 class CageFit {
  public:
-  explicit CageFit(const Cuboid& body);
+  explicit CageFit(const body::Cuboid& body);
 
   /// Returns the linear map of the body that is closest to `cage`, wherever its centre is.
-  Eigen::Matrix3d worldFromBody(const Cage& cage) const { return cage * mapFromCage_; }
+  Eigen::Matrix3d worldFromBody(const body::Cage& cage) const { return cage * mapFromCage_; }
 
  private:
   Eigen::Matrix<double, 8, 3> mapFromCage_;  // C^T (C C^T)^-1 of the body's corners C

@@ -21,7 +21,7 @@ std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start,
 
 BodyState turned(const Eigen::Matrix3d& turn, BodyState state) {
   state.worldFromBody = turn * state.worldFromBody;
-  if (state.cage) state.cage = Cage(turn * *state.cage);
+  if (state.cage) state.cage = body::Cage(turn * *state.cage);
   state.angularVelocity = turn * state.angularVelocity;
   state.angularMomentum = turn * state.angularMomentum;
   return state;

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "base/layout.h"
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 #include "physics/integrators/integrator.h"
 #include "physics/mass_spring_system.h"
 #include "physics/nudge.h"
@@ -135,7 +135,7 @@ struct InitialSpin {
 
 /// Everything that a motion depends on.
 struct MotionSettings {
-  Cuboid body;
+  body::Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
   /// Replaces the solid cuboid's. Of all particles,

@@ -15,7 +15,7 @@ using Values = Eigen::Matrix<double, kFunctions, Eigen::Dynamic>;
 // processor's caches.
 
 /// Returns 1, x, y, z, x y, y z, z x and x y z of each point, in halves of the body's size.
-Values functionsAt(const Eigen::Matrix3Xd& points, const Cuboid& body) {
+Values functionsAt(const Eigen::Matrix3Xd& points, const body::Cuboid& body) {
   Values values(kFunctions, points.cols());
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d p = (2 * points.col(i)).cwiseQuotient(body.size);
@@ -27,7 +27,7 @@ Values functionsAt(const Eigen::Matrix3Xd& points, const Cuboid& body) {
 
 }  // namespace
 
-ParticleFit::ParticleFit(const Cuboid& body, const MassSpringSystem& particles) {
+ParticleFit::ParticleFit(const body::Cuboid& body, const MassSpringSystem& particles) {
   const auto count = static_cast<Eigen::Index>(particles.places.size());
   Eigen::Matrix3Xd places(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
@@ -60,7 +60,7 @@ Eigen::Matrix3d ParticleFit::worldFromBody(const Eigen::Matrix3Xd& positions) co
   return positions.lazyProduct(mapFromPositions_);
 }
 
-Cage ParticleFit::cageOf(const Eigen::Matrix3Xd& positions) const {
+body::Cage ParticleFit::cageOf(const Eigen::Matrix3Xd& positions) const {
   return positions.lazyProduct(cageFromPositions_);
 }
 

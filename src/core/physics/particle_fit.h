@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 #include "physics/mass_spring_system.h"
 
 namespace rotatebook::physics {
@@ -18,12 +18,12 @@ namespace rotatebook::physics {
 class ParticleFit {
  public:
   /// The places must not lie in a plane.
-  ParticleFit(const Cuboid& body, const MassSpringSystem& particles);
+  ParticleFit(const body::Cuboid& body, const MassSpringSystem& particles);
 
   /// Returns the linear map closest to the positions, wherever their centre is.
   Eigen::Matrix3d worldFromBody(const Eigen::Matrix3Xd& positions) const;
   /// Returns the cage of particles at these positions. [m]
-  Cage cageOf(const Eigen::Matrix3Xd& positions) const;
+  body::Cage cageOf(const Eigen::Matrix3Xd& positions) const;
 
  private:
   Eigen::Matrix<double, Eigen::Dynamic, 3> mapFromPositions_;

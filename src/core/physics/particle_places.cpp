@@ -13,9 +13,9 @@ rigid::PrincipalAxes rigidInertia(const MotionSettings& settings) {
   return {settings.body.solidInertia()};
 }
 
-MassSpringSystem cornersOf(const Cuboid& body) {
+MassSpringSystem cornersOf(const body::Cuboid& body) {
   MassSpringSystem system{{}, allPairs(8)};
-  const Cage corners = body.corners();
+  const body::Cage corners = body.corners();
   for (const auto& corner : corners.colwise()) system.places.emplace_back(corner);
   return system;
 }

@@ -17,8 +17,8 @@ namespace {
 constexpr double kEnergyFloor = 0.1;
 
 /// The vectors of all particles as the columns of a matrix, and back.
-Cage toEigen(const Points& points) {
-  Cage cage;
+body::Cage toEigen(const Points& points) {
+  body::Cage cage;
   for (int axis = 0; axis < 3; ++axis) {
     for (int q = 0; q < 4; ++q) {
       cage(axis, q) = points.at(axis).at(q)[0];
@@ -170,7 +170,7 @@ BodyState BasicParticleSimulator<Springs>::state() const {
   BodyState result;
   const auto positions = toEigen(state_.positions());
   result.worldFromBody = worldFromBody(positions);
-  result.cage = placedFit_ ? placedFit_->cageOf(positions) : Cage(positions);
+  result.cage = placedFit_ ? placedFit_->cageOf(positions) : body::Cage(positions);
   const auto arms = armsOf(positions);
   const Eigen::Matrix3d inertia = inertiaTensor(arms, state_.mass());
   result.angularMomentum = angularMomentumOf(arms, toEigen(state_.velocities()), state_.mass());

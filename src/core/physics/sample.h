@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "base/layout.h"
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 #include "rigid/regime.h"
 
 namespace rotatebook::physics {
@@ -33,7 +33,7 @@ struct Sample {
   /// Regime of the rigid motion that would start from this attitude and angular velocity; for
   /// Model::Exact, that of its initial state.
   rigid::Regime regime = rigid::Regime::Separatrix;
-  Cage cage = Cage::Zero();  ///< Corners as drawn. [m]
+  body::Cage cage = body::Cage::Zero();  ///< Corners as drawn. [m]
 
   double total() const { return kinetic + potential; }
   /// Returns the distance of the centre of mass from the origin, where it starts at rest. Corners

@@ -32,8 +32,8 @@ std::vector<double> evenTimes(double interval, std::int64_t count) {
 
 }  // namespace
 
-bool hasBlownUp(const BodyState& state, const Cuboid& body) {
-  const Cage cage = drawnCage(state, body);
+bool hasBlownUp(const BodyState& state, const body::Cuboid& body) {
+  const body::Cage cage = drawnCage(state, body);
   return !isFinite(state) || !cage.allFinite() ||
          cage.colwise().norm().maxCoeff() > kDivergenceFactor * body.largestDimension();
 }
@@ -49,7 +49,7 @@ struct Simulation::Parts {
     trajectory.interval = settings.simulation.timePerFrame;
   }
 
-  Cuboid body;
+  body::Cuboid body;
   Course course;
   Measurement measurement;
   Trajectory trajectory;

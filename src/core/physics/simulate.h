@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 #include "physics/measure/measurement.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
@@ -17,7 +17,7 @@ namespace rotatebook::physics {
 
 /// Returns whether a motion that has come to this state has diverged: a corner is farther from the
 /// origin than kDivergenceFactor times the body's largest dimension, or a number isn't finite.
-bool hasBlownUp(const BodyState& state, const Cuboid& body);
+bool hasBlownUp(const BodyState& state, const body::Cuboid& body);
 
 /// A motion that is simulated sample by sample. The steps are those of samples at even times; a
 /// sample between two steps is made from a copy of the simulator that goes on by a shorter step, so

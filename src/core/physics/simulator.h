@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "base/layout.h"
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 #include "physics/nudge.h"
 
 namespace rotatebook::physics {
@@ -19,7 +19,7 @@ struct BodyState {
   /// one; for a deformed body, the map that best fits its cage.
   Eigen::Matrix3d worldFromBody = Eigen::Matrix3d::Identity();
   /// Corners of a deformed body; nullopt if worldFromBody determines them. [m]
-  std::optional<Cage> cage{};
+  std::optional<body::Cage> cage{};
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
   double kinetic = 0;                        ///< [J]
@@ -28,8 +28,8 @@ struct BodyState {
 };
 
 /// Returns the corners of `body` in this state, as they are drawn. [m]
-inline Cage drawnCage(const BodyState& state, const Cuboid& body) {
-  return state.cage ? *state.cage : Cage(state.worldFromBody * body.corners());
+inline body::Cage drawnCage(const BodyState& state, const body::Cuboid& body) {
+  return state.cage ? *state.cage : body::Cage(state.worldFromBody * body.corners());
 }
 
 /// A body in motion. Starts at t = 0, when body and world axes coincide.

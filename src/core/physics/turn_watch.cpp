@@ -15,7 +15,7 @@ struct TurnWatch::Parts {
         spunAxis(spunAxisOf(settings, modelInertia(settings))),
         course(settings) {}
 
-  Cuboid body;
+  body::Cuboid body;
   Eigen::Vector3d spunAxis;
   Course course;
   HalfTurnCounter counter;

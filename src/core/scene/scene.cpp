@@ -102,7 +102,7 @@ double radiusInView(const Scene& scene, int width, int height) {
          sineOfView(scene.camera.fieldOfViewDeg, width, height);
 }
 
-Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+Eigen::Vector3d defaultCameraPosition(const body::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height) {
   // From the right and a little above: all three kinds of sides are visible, the cover most.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();

@@ -280,7 +280,7 @@ double radiusInView(const Scene& scene, int width, int height);
 /// The size of what the default camera shows around a body, in sizes of the body.
 inline constexpr double kRoomAround = 1.08;
 /// Returns the camera position from which a body of this size is seen whole in any attitude. [m]
-Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+Eigen::Vector3d defaultCameraPosition(const body::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height);
 
 extern const std::size_t kSceneSize;  // in the library

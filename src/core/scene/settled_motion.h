@@ -12,7 +12,7 @@ namespace rotatebook::scene {
 /// A body that isn't the book, with what follows from its statement.
 struct SettledBody {
   Solid solid;
-  physics::Cuboid box;  ///< Around it, and its mass.
+  body::Cuboid box;  ///< Around it, and its mass.
   rigid::Inertia inertia;
 };
 

@@ -11,13 +11,13 @@ constexpr double kEase = 0.4;   // frames this near are averaged [s of the clip]
 constexpr double kHalving = 3;  // in which the camera comes back by half [s of the clip]
 
 /// Returns the distance from the origin of the farthest corner. [m]
-double reachOf(const physics::Cage& cage) {
+double reachOf(const body::Cage& cage) {
   return cage.colwise().norm().maxCoeff();
 }
 
 /// Returns how large a body may become before the camera draws back: up to the edge of the picture,
 /// and at least as the default camera leaves room. [m] `share`: of the camera's distance.
-double roomFor(const scene::Scene& scene, const physics::Cuboid& body, double targetDistance,
+double roomFor(const scene::Scene& scene, const body::Cuboid& body, double targetDistance,
                double share) {
   // In panels the angle of view is over the shorter side.
   const bool panels = scene.hasPanels();
@@ -37,7 +37,7 @@ std::vector<double> neededLogarithms(const scene::Scene& scene, const scene::Pan
   std::vector<double> needed;
   double before = 0;
   for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
-    const physics::Cage& cage = samples[motion.sampleAt(index, frame)].cage;
+    const body::Cage& cage = samples[motion.sampleAt(index, frame)].cage;
     const double growth = (targetDistance + reachOf(cage)) / room;
     before = std::max({0.0, before - comesBack, growth > 1 ? logarithm(growth) : 0});
     needed.push_back(before);

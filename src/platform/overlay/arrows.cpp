@@ -30,7 +30,7 @@ constexpr int kTrailParts = 24;   // each has its own opacity
 constexpr LetterWish kMomentumWish{Side::Right, 0}, kVelocityWish{Side::Right, 1},
     kAxisWish{Side::Left, 2};
 
-double reachOf(const physics::Cuboid& body) {
+double reachOf(const body::Cuboid& body) {
   return body.size.norm() / 2;
 }
 
@@ -82,7 +82,7 @@ Axes::Axes(const OverlayContext& context)
                letter(context, "z", kAxisColours[2])} {}
 
 std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
-  const physics::Cuboid& body = context_.scene.motions[0].body;
+  const body::Cuboid& body = context_.scene.motions[0].body;
   const BodyBox box(body, sample.cage);
   const double reach = reachOf(body);
   std::vector<Arrow> arrows;

@@ -78,9 +78,9 @@ void drawLine(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
 
 }  // namespace
 
-BodyBox::BodyBox(const physics::Cuboid& body, const physics::Cage& cage)
+BodyBox::BodyBox(const body::Cuboid& body, const body::Cage& cage)
     : centre_(cage.rowwise().mean()) {
-  const physics::Cage rest = body.corners();
+  const body::Cage rest = body.corners();
   const Eigen::Vector3d half = body.size / 2;
   const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
   map_ = (cage.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();

@@ -8,14 +8,14 @@
 
 #include "overlay/canvas.h"
 #include "overlay/drawn_overlay.h"
-#include "physics/cuboid.h"
+#include "physics/sample.h"
 
 namespace rotatebook::overlay {
 
 /// The parallelepiped that fits a deformed body best.
 class BodyBox {
  public:
-  BodyBox(const physics::Cuboid& body, const physics::Cage& cage);
+  BodyBox(const body::Cuboid& body, const body::Cage& cage);
 
   /// Returns the linear part of the deformation: a rotation if the body isn't deformed.
   const Eigen::Matrix3d& map() const { return map_; }

@@ -54,7 +54,7 @@ std::vector<ForceKind> kindsIn(const scene::MotionFrame& frame) {
 
 /// Returns a box so small that it hides no arrow: forces are seen through the body.
 BodyBox hidingNothing(double reach) {
-  const physics::Cuboid tiny{Vector3d::Constant(1e-6 * reach)};
+  const body::Cuboid tiny{Vector3d::Constant(1e-6 * reach)};
   return {tiny, tiny.corners()};
 }
 

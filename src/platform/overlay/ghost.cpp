@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kSides = 6;
 
-/// Returns the corners around a side of a box, as columns of physics::Cage. Sides 2 i and 2 i + 1
+/// Returns the corners around a side of a box, as columns of body::Cage. Sides 2 i and 2 i + 1
 /// are the lower and the upper one across axis i.
 std::array<Eigen::Index, 4> cornersOf(std::size_t side) {
   const auto axis = static_cast<Eigen::Index>(side / 2);
@@ -26,7 +26,7 @@ struct ProjectedBox {
   std::vector<Point> corners;          // those in front of the camera
   std::array<bool, kSides> isFront{};  // whether the camera sees the side's outside
 
-  ProjectedBox(const physics::Cage& box, const Projector& projector) {
+  ProjectedBox(const body::Cage& box, const Projector& projector) {
     const Eigen::Vector3d eye = projector.eye();
     for (std::size_t side = 0; side < kSides; ++side) {
       const Eigen::Vector3d corner = box.col(cornersOf(side)[0]);

@@ -177,7 +177,7 @@ PoinsotRolling::PoinsotRolling(const OverlayContext& context)
 Rolling PoinsotRolling::rollingAt(const View& view) const {
   const auto frame = static_cast<std::size_t>(view.frame);
   const physics::Sample& sample = context_.trajectory.samples[frame];
-  const physics::Cage& cage = view.sample.cage;
+  const body::Cage& cage = view.sample.cage;
   const Eigen::Vector3d centre = cage.rowwise().mean();
   const Eigen::Vector3d normal = sample.angularMomentum.normalized();
   Eigen::Matrix3d plane;

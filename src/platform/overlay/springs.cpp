@@ -32,7 +32,7 @@ void forEachSpring(const Action& action) {
   }
 }
 
-double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring& spring) {
+double strain(const body::Cage& rest, const body::Cage& cage, const Spring& spring) {
   const double length = (cage.col(spring.a) - cage.col(spring.b)).norm();
   return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
 }
@@ -41,7 +41,7 @@ double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring
 class Particles {
  public:
   explicit Particles(const physics::MotionSettings& settings) {
-    const physics::Cage corners = settings.body.corners();
+    const body::Cage corners = settings.body.corners();
     const physics::MassSpringSystem system = particlesOf(settings);
     for (int i = 0; i < 8; ++i) {
       rest_.col(i) = system.places.at(static_cast<std::size_t>(i));
@@ -53,18 +53,18 @@ class Particles {
     }
   }
 
-  const physics::Cage& rest() const { return rest_; }
-  physics::Cage within(const physics::Cage& cage) const { return cage * shares_; }
+  const body::Cage& rest() const { return rest_; }
+  body::Cage within(const body::Cage& cage) const { return cage * shares_; }
 
  private:
-  physics::Cage rest_;
+  body::Cage rest_;
   Eigen::Matrix<double, 8, 8> shares_;
 };
 
 double rangeOf(const OverlayContext& context, const Particles& particles) {
   std::vector<double> strains;
   for (const physics::Sample& sample : context.trajectory.samples) {
-    const physics::Cage now = particles.within(sample.cage);
+    const body::Cage now = particles.within(sample.cage);
     forEachSpring([&](const Spring& spring) {
       strains.push_back(std::abs(strain(particles.rest(), now, spring)));
     });
@@ -135,7 +135,7 @@ Springs::Springs(const OverlayContext& context, const Box& legend)
       legend_(legendOf(context, legend, range_)) {}
 
 void Springs::draw(const View& view) {
-  const physics::Cage now = particles_.within(view.sample.cage);
+  const body::Cage now = particles_.within(view.sample.cage);
   std::vector<Point> particles;
   for (Eigen::Index i = 0; i < 8; ++i) {
     const auto point = view.projector(now.col(i));

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "body/cuboid.h"
 #include "geometry/hull_bands.h"
 #include "image/image.h"
-#include "physics/cuboid.h"
 #include "render/antialias/strips.h"
 
 namespace rotatebook::render {
@@ -19,7 +19,7 @@ struct DrawnBody {
   std::size_t look = 0;  ///< Index of its look.
   image::Image pixels;   ///< Rgba8; alpha: MeshVertex::surfaceId, or 0 where nothing was drawn.
   std::vector<geometry::PixelRect> bands{};  ///< The valid areas of `pixels`. [pixels]
-  physics::Cage cage{};                      ///< World. [m]
+  body::Cage cage{};                         ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};           ///< Clip y points down.
   int winding = 0;                           ///< From frontFaceWinding().
   DrawnStrips strips{};

@@ -44,7 +44,7 @@ const Eigen::Vector3d kTestEye(0, 0, 0.62);  // [m]
 /// Returns a body so close that its front covers the middle of pictures of every size.
 DrawnBody closeBody(int width, int height) {
   const geometry::Camera close{.position = {0, 0, 0.1}};
-  DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
+  DrawnBody body{.pixels = {}, .cage = body::Cuboid{}.corners()};
   body.clipFromWorld = geometry::project(close, body.cage, {width, height, 0}).clipFromWorld;
   body.winding = frontFaceWinding(body.cage);
   return body;
@@ -56,7 +56,7 @@ DrawnBody testBody(const FrameSize& size) {
   const Eigen::AngleAxisd forward(0.35, Eigen::Vector3d::UnitX());
   const geometry::Camera camera{.position = kTestEye};
   DrawnBody body{.pixels = {},
-                 .cage = (forward * left).toRotationMatrix() * physics::Cuboid{}.corners()};
+                 .cage = (forward * left).toRotationMatrix() * body::Cuboid{}.corners()};
   body.clipFromWorld =
       geometry::project(camera, body.cage, {size.width, size.height, 0}).clipFromWorld;
   body.winding = frontFaceWinding(body.cage);
@@ -166,7 +166,7 @@ struct Renderer::Parts {
   }
 
   /// Projects the body onto a picture. Returns the area that it may touch; it may be empty.
-  geometry::PixelRect project(const physics::Cage& cage, const geometry::Camera& camera,
+  geometry::PixelRect project(const body::Cage& cage, const geometry::Camera& camera,
                               DrawnBody& drawn) const {
     geometry::Projection projection = geometry::project(
         camera, cage, {width, height, settings.supersample * settings.bottomRows});
@@ -257,11 +257,11 @@ image::Image Renderer::makePicture() const {
   return parts_->bodies.front().compositor.makePicture();
 }
 
-void Renderer::draw(const physics::Cage& cage, image::Image& picture) {
+void Renderer::draw(const body::Cage& cage, image::Image& picture) {
   draw(0, cage, picture);
 }
 
-void Renderer::draw(std::size_t look, const physics::Cage& cage, image::Image& picture) {
+void Renderer::draw(std::size_t look, const body::Cage& cage, image::Image& picture) {
   parts_->forPictures.resize(parts_->bodies.size());
   std::optional<DrawnBody>& drawn = parts_->forPictures[look];
   if (!drawn) drawn = makeBody(look);
@@ -269,7 +269,7 @@ void Renderer::draw(std::size_t look, const physics::Cage& cage, image::Image& p
   compose(*drawn, picture);
 }
 
-void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
+void Renderer::draw(const body::Cage& cage, DrawnBody& body) {
   parts_->drawBackground(body);
   const geometry::Camera& camera = parts_->settings.camera;
   const geometry::PixelRect area = parts_->project(cage, camera, body);
@@ -281,7 +281,7 @@ void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   requireNoGlError("while drawing a frame");
 }
 
-void Renderer::draw(std::span<const physics::Cage> cages, std::span<const geometry::Camera> cameras,
+void Renderer::draw(std::span<const body::Cage> cages, std::span<const geometry::Camera> cameras,
                     std::span<DrawnBody> bodies) {
   for (std::size_t i = 0; i < bodies.size(); ++i) parts_->project(cages[i], cameras[i], bodies[i]);
   parts_->drawSideBySide(cameras, bodies);

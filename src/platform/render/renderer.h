@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "body/cuboid.h"
 #include "geometry/camera.h"
 #include "image/image.h"
-#include "physics/cuboid.h"
 #include "render/book_textures.h"
 #include "render/drawn_body.h"
 #include "render/render_settings.h"
@@ -49,18 +49,18 @@ class Renderer {
   /// makePicture().
   /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error.
-  void draw(const physics::Cage& cage, image::Image& picture);
+  void draw(const body::Cage& cage, image::Image& picture);
   /// Likewise the body of that look.
-  void draw(std::size_t look, const physics::Cage& cage, image::Image& picture);
+  void draw(std::size_t look, const body::Cage& cage, image::Image& picture);
 
   /// Draws the body alone, the first of two steps. The second, compose(), may run on another thread
   /// while this one draws the next frame into another body. `body`: from makeBody().
-  void draw(const physics::Cage& cage, DrawnBody& body);
+  void draw(const body::Cage& cage, DrawnBody& body);
   /// Returns a body of that look to draw.
   DrawnBody makeBody(std::size_t look = 0) const;
   /// Draws each of `bodies` in its cage, as `cameras` with the same index has it. OpenGL waits once
   /// for all of them, which is faster where they are small. Throws like draw().
-  void draw(std::span<const physics::Cage> cages, std::span<const geometry::Camera> cameras,
+  void draw(std::span<const body::Cage> cages, std::span<const geometry::Camera> cameras,
             std::span<DrawnBody> bodies);
   /// Composes a drawn body over the background. See Compositor.
   void compose(const DrawnBody& body, image::Image& picture);

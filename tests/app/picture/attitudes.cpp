@@ -29,7 +29,7 @@ bool touchesBorder(const image::Image& picture, const image::Image& background, 
 
 bool anyAttitudeTouchesBorder(const scene::Scene& scene, const geometry::Screen& screen,
                               int margin) {
-  const physics::Cuboid body = scene.motions.front().body;
+  const body::Cuboid body = scene.motions.front().body;
   render::Renderer renderer = makeRenderer(scene, screen, loadLooks(scene).looks);
   image::Image background = renderer.makePicture(), picture = renderer.makePicture();
   renderer.draw(body.corners().colwise() + Eigen::Vector3d(0, 1000, 0), background);

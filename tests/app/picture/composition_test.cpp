@@ -56,7 +56,7 @@ image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   image::Image picture = composition.makePicture();
   const auto drawBody = [&](std::size_t i, std::size_t sample, image::Image& panel) {
     makeGrey(panel);
-    const physics::Cage& corners = motion.trajectories()[i].samples[sample].cage;
+    const body::Cage& corners = motion.trajectories()[i].samples[sample].cage;
     return geometry::project(camera, corners, composition.screen()).clipFromWorld;
   };
   composition.draw(frame, drawBody, picture);

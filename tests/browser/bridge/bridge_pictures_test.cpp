@@ -60,7 +60,7 @@ TEST(Bridge, HasTheProgramsCamera) {
   rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data(), sky.data());
   const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
   const geometry::Screen screen{1280, 720, 0};
-  const physics::Cage cage = scene.motions[0].body.corners();
+  const body::Cage cage = scene.motions[0].body.corners();
   const auto projection = geometry::project(timeline::cameraOf(scene, screen), cage, screen);
   constexpr double kBound = 1e-6;  // measured 6e-8
   const auto difference = [&] {

@@ -11,8 +11,8 @@ const Eigen::Vector3d kX = Eigen::Vector3d::UnitX();
 const Eigen::Vector3d kY = Eigen::Vector3d::UnitY();
 const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
 
-physics::Cage book() {
-  return physics::Cuboid{}.corners();
+body::Cage book() {
+  return body::Cuboid{}.corners();
 }
 
 constexpr double kRounding = 1e-9;  // measured 2e-14 pixels
@@ -90,14 +90,14 @@ TEST(Camera, OrdersDepthFromNearToFar) {
 
 TEST(CameraBounds, HoldTheHullWithAMargin) {
   // The near side decides: 25 pixels a metre at 2 m, the margin 6 pixels.
-  physics::Cage cube = physics::Cuboid{.size = {2, 1, 1}}.corners();
+  body::Cage cube = body::Cuboid{.size = {2, 1, 1}}.corners();
   cube.row(2).array() -= 0.5;  // The near side at z = 0.
   const PixelRect expected{75 - 6, 50 - 13 - 6, 50 + 12, 26 + 12};
   EXPECT_EQ(project(plainCamera(), cube, {200, 100}).bounds, expected);
 }
 
 TEST(CameraBounds, StayInThePicture) {
-  const physics::Cage corners = physics::Cuboid{.size = {20, 1, 1}}.corners();
+  const body::Cage corners = body::Cuboid{.size = {20, 1, 1}}.corners();
   const PixelRect bounds = project(plainCamera(), corners, {200, 100}).bounds;
   EXPECT_EQ(bounds.x, 0);
   EXPECT_EQ(bounds.width, 200);
@@ -107,7 +107,7 @@ TEST(CameraBounds, StayInThePicture) {
 TEST(CameraBounds, AreTheWholePictureForAPointNotBeforeTheCamera) {
   const PixelRect whole{0, 0, 200, 100};
   for (const double z : {2.0, 2.5, 100.0}) {
-    physics::Cage corners = book();
+    body::Cage corners = book();
     corners.col(3) = Eigen::Vector3d(0.1, 0.1, z);
     EXPECT_EQ(project(plainCamera(), corners, {200, 100}).bounds, whole) << "at z = " << z;
   }
@@ -117,7 +117,7 @@ TEST(CameraBounds, AreEmptyBesideThePicture) {
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(9, 0, 0), Eigen::Vector3d(-9, 0, 0), Eigen::Vector3d(0, 9, 0),
         Eigen::Vector3d(0, -9, 0), Eigen::Vector3d(1e30, 0, 0)}) {
-    const physics::Cage beside = book().colwise() + place;
+    const body::Cage beside = book().colwise() + place;
     const PixelRect bounds = project(plainCamera(), beside, {200, 100}).bounds;
     EXPECT_EQ(bounds.width * bounds.height, 0) << place.transpose();
   }

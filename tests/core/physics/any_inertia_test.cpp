@@ -38,7 +38,7 @@ TEST_P(AnyInertia, MovesAsItDoesAlongItsPrincipalAxes) {
   turned.inertia = turn * principal() * turn.transpose();
   turned.initial.value = turn * straight.initial.value;
 
-  const Cage corners = straight.body.corners();
+  const body::Cage corners = straight.body.corners();
   const Sample one = simulate(straight, 2).samples.back();
   const Sample two = simulate(turned, 2).samples.back();
   const Matrix3d expected = turn * one.attitude.toRotationMatrix() * turn.transpose();

@@ -20,22 +20,22 @@ Matrix3d someMap() {
   return turn * Vector3d(1, 0.25, 1.5).asDiagonal();
 }
 
-double distance(const Cage& cage, const Matrix3d& expected) {
-  return (CageFit(Cuboid()).worldFromBody(cage) - expected).norm();
+double distance(const body::Cage& cage, const Matrix3d& expected) {
+  return (CageFit(body::Cuboid()).worldFromBody(cage) - expected).norm();
 }
 
 TEST(CageFit, FindsTheMapWhereverTheBodyIs) {
-  const Cage cage = someMap() * Cuboid().corners();
+  const body::Cage cage = someMap() * body::Cuboid().corners();
   EXPECT_LT(distance(cage, someMap()), kFitBound);
   EXPECT_LT(distance(cage.colwise() + Vector3d(0.1, -0.2, 0.3), someMap()), kFitBound);
 }
 
 TEST(CageFit, FitsCornersThatNoLinearMapReaches) {
-  Cage cage = someMap() * Cuboid().corners();
+  body::Cage cage = someMap() * body::Cuboid().corners();
   for (int i = 0; i < 8; ++i)
     cage.col(i) += 0.02 * Vector3d(std::sin(i), std::cos(3 * i), std::sin(5 * i));
   // Solve the least squares by another road: QR of the eight equations of each row of the map.
-  const Eigen::Matrix<double, 8, 3> equations = Cuboid().corners().transpose();
+  const Eigen::Matrix<double, 8, 3> equations = body::Cuboid().corners().transpose();
   const Matrix3d expected = equations.householderQr().solve(cage.transpose()).transpose();
   EXPECT_LT(distance(cage, expected), kFitBound);
   EXPECT_GT((expected - someMap()).norm(), 0.01);

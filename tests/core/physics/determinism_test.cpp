@@ -24,8 +24,8 @@ std::uint64_t fnv1a(const std::vector<double>& numbers) {
   return hash;
 }
 
-std::vector<double> numbersOf(const BodyState& state, const Cuboid& body) {
-  const Cage corners = drawnCage(state, body);
+std::vector<double> numbersOf(const BodyState& state, const body::Cuboid& body) {
+  const body::Cage corners = drawnCage(state, body);
   std::vector<double> numbers(corners.data(), corners.data() + corners.size());
   numbers.insert(numbers.end(), state.angularVelocity.begin(), state.angularVelocity.end());
   numbers.insert(numbers.end(), state.angularMomentum.begin(), state.angularMomentum.end());

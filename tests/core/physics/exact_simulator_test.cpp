@@ -28,14 +28,14 @@ MotionSettings tumbling(int substeps) {
 TEST(ExactSimulator, DoesNotDependOnTheSteps) {
   const Trajectory coarse = simulate(tumbling(1), 1200);
   const Trajectory fine = simulate(tumbling(64), 1200);
-  const Cage difference = coarse.samples.back().cage - fine.samples.back().cage;
+  const body::Cage difference = coarse.samples.back().cage - fine.samples.back().cage;
   EXPECT_LT(difference.norm(), kExactBound);
 }
 
 // An angular velocity and frames so long that a time that is off by rounding alone would show.
 TEST(ExactSimulator, IsEvaluatedAtWholeFramesWhateverTheSubsteps) {
   MotionSettings settings = spinning(Model::Exact, {1.1, -2.3, -3.7}, 100.1);
-  const Cage expected = simulate(settings, 100).samples.back().cage;
+  const body::Cage expected = simulate(settings, 100).samples.back().cage;
   for (const int substeps : {3, 7, 60}) {
     settings.simulation.substeps = substeps;
     EXPECT_EQ(simulate(settings, 100).samples.back().cage, expected) << substeps;

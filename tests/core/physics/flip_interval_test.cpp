@@ -18,7 +18,7 @@ constexpr double kInterpolationBound = 1e-5;  // of the interval; measured 2e-6
 constexpr double kLargeTiltBound = 1e-4;      // of the law at a tilt of 0.1; measured 2.5e-5
 constexpr double kTinyTiltBound = 1e-7;       // of the law at a tilt of 1e-4; measured 2e-9
 
-const Vector3d kMoments = Cuboid{}.solidInertia();  // x is the middle axis, y the smallest
+const Vector3d kMoments = body::Cuboid{}.solidInertia();  // x is the middle axis, y the smallest
 
 MotionSettings tilted(double angle, int axis) {
   MotionSettings settings = spinning(Model::Exact, {kSpinRate, 0, 0}, 1.0 / 60);

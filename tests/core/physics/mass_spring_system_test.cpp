@@ -48,7 +48,7 @@ TEST(EquimomentalParticles, HaveTheBodysTensor) {
 TEST(EquimomentalParticles, OfABoxAreItsCornersBySqrt3) {
   MotionSettings settings = spinning(Model::Particles, {1, 2, 3}, 0.01);
   settings.simulation.particles = {Arrangement::Equimomental};
-  const Cage corners = settings.body.corners();
+  const body::Cage corners = settings.body.corners();
   const MassSpringSystem system = particlesOf(settings);
   ASSERT_EQ(system.places.size(), 8U);
   EXPECT_EQ(system.springs.size(), 28U);
@@ -146,11 +146,11 @@ Eigen::Matrix3Xd matrixOf(const MassSpringSystem& system) {
 }
 
 TEST(ParticleFit, MakesTheRigidBoxOfARigidMotion) {
-  const Cuboid body{{0.2, 0.15, 0.1}};
+  const body::Cuboid body{{0.2, 0.15, 0.1}};
   const ParticleFit fit(body, block());
   const Vector3d place(0.1, -0.2, 0.3);
   const Eigen::Matrix3Xd positions = (turn() * matrixOf(block())).colwise() + place;
-  const Cage expected = (turn() * body.corners()).colwise() + place;
+  const body::Cage expected = (turn() * body.corners()).colwise() + place;
   const double apart = (fit.cageOf(positions) - expected).norm();
   std::cout << apart << ' ' << (fit.worldFromBody(positions) - turn()).norm() << '\n';
   EXPECT_LT(apart, kBoxBound);
@@ -158,7 +158,7 @@ TEST(ParticleFit, MakesTheRigidBoxOfARigidMotion) {
 }
 
 TEST(ParticleFit, FollowsBends) {
-  const Cuboid body{{0.2, 0.15, 0.1}};
+  const body::Cuboid body{{0.2, 0.15, 0.1}};
   const ParticleFit fit(body, block());
   const auto bent = [](Eigen::Matrix3Xd points) {
     for (Eigen::Index i = 0; i < points.cols(); ++i) {
@@ -174,7 +174,7 @@ TEST(ParticleFit, FollowsBends) {
 
 // Four particles can't tell x y from the linear map: the box isn't bent at all.
 TEST(ParticleFit, LeavesOutWhatParticlesDoNotTell) {
-  const Cuboid body{{2, 2, 2}};
+  const body::Cuboid body{{2, 2, 2}};
   const MassSpringSystem simplex{{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}, allPairs(4)};
   const Eigen::Matrix3Xd positions = turn() * matrixOf(simplex);
   EXPECT_LT((ParticleFit(body, simplex).cageOf(positions) - turn() * body.corners()).norm(), 1e-14);

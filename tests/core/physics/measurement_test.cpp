@@ -132,12 +132,13 @@ TEST(Measurement, FindsAProperRotationOfABodyTurnedInsideOut) {
 
 // Particles drift: their map is fitted to corners that lie anywhere.
 TEST(Measurement, DoesNotMindWhereTheBodyIs) {
-  const auto measured = [](const Cage& cage) {
-    BodyState state = stateOf(CageFit(Cuboid()).worldFromBody(cage));
+  const auto measured = [](const body::Cage& cage) {
+    BodyState state = stateOf(CageFit(body::Cuboid()).worldFromBody(cage));
     state.cage = cage;
     return Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
   };
-  const Cage cage = someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal() * Cuboid().corners();
+  const body::Cage cage =
+      someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal() * body::Cuboid().corners();
   const Sample there = measured(cage.colwise() + Vector3d(0.1, -0.2, 0.3)), here = measured(cage);
   EXPECT_LT(there.attitude.angularDistance(here.attitude), kMeasurementBound);
   EXPECT_NEAR(there.stretchMin, here.stretchMin, kMeasurementBound);
@@ -244,8 +245,8 @@ TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
 TEST(Measurement, HasTheCornersOfTheCageOrOfTheMap) {
   Measurement measurement(spinningAbout(Vector3d::UnitZ()));
   BodyState state = stateOf(someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal());
-  EXPECT_EQ(measurement.measure(0, state).cage, state.worldFromBody * Cuboid().corners());
-  state.cage = Cage::Random();
+  EXPECT_EQ(measurement.measure(0, state).cage, state.worldFromBody * body::Cuboid().corners());
+  state.cage = body::Cage::Random();
   EXPECT_EQ(measurement.measure(0, state).cage, *state.cage);
 }
 

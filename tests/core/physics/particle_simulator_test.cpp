@@ -25,7 +25,7 @@ constexpr double kCentreBound = 1e-16;         // [m]; measured 2.1e-17
 struct ByHand {
   explicit ByHand(const MotionSettings& asked) : settings(asked) {
     const Vector3d spin = initialAngularVelocity(settings);
-    const Cage corners = settings.body.corners();
+    const body::Cage corners = settings.body.corners();
     for (const auto& corner : corners.colwise()) {
       rest.push_back(corner);
       velocities.push_back(spin.cross(Vector3d(corner)));

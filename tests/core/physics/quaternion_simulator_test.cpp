@@ -55,9 +55,9 @@ MotionSettings quaternionByHand(int normalizeEvery) {
   return settings;
 }
 
-double distance(const BodyState& state, const Quadruple& q, const Cuboid& body) {
-  const Cage start = body.corners();
-  Cage expected;
+double distance(const BodyState& state, const Quadruple& q, const body::Cuboid& body) {
+  const body::Cage start = body.corners();
+  body::Cage expected;
   for (int i = 0; i < 8; ++i) {
     const AxisRoles corner = turned(q, {start(0, i), start(1, i), start(2, i)});
     expected.col(i) = Vector3d(corner[0], corner[1], corner[2]);

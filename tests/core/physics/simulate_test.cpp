@@ -35,7 +35,7 @@ BodyState stateAtSample(const MotionSettings& settings, std::size_t n) {
   return simulator->state();
 }
 
-double farthestCorner(const Cage& corners) {
+double farthestCorner(const body::Cage& corners) {
   return corners.colwise().norm().maxCoeff();
 }
 

@@ -34,7 +34,7 @@ TEST(BodyForces, ActOnEightMassesWithTheBodysMoments) {
 TEST(BodyForces, ActOnThePapersParticlesWhereThereAreSome) {
   const Scene scene = sceneWith("[simulation]\nmodel = 'particles'");
   const BodyForces forces(scene.motions[0], MotionFrame(ReferenceFrame::World));
-  const physics::Cage corners = scene.motions[0].body.corners();
+  const body::Cage corners = scene.motions[0].body.corners();
   for (int i = 0; i < 8; ++i) {
     EXPECT_LT((forces.places()[static_cast<std::size_t>(i)] - corners.col(i)).norm(),
               1e-16);  // measured 1.1e-17

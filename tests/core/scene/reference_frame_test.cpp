@@ -30,7 +30,7 @@ TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
                         seen = MotionFrame(ReferenceFrame::Body).seen(sample);
   EXPECT_GT(sample.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
   EXPECT_LT(seen.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1e-7);
-  EXPECT_LT((seen.cage - physics::Cuboid().corners()).cwiseAbs().maxCoeff(),
+  EXPECT_LT((seen.cage - body::Cuboid().corners()).cwiseAbs().maxCoeff(),
             1e-3);  // Euler's drift
   EXPECT_LT((seen.angularVelocity - sample.attitude.conjugate() * sample.angularVelocity).norm(),
             1e-12);
@@ -53,8 +53,8 @@ TEST(ReferenceFrame, TurnsAllVectorsAlike) {
     const physics::Sample seen = MotionFrame(frame).seen(sample);
     EXPECT_NEAR(seen.angularVelocity.dot(seen.angularMomentum),
                 sample.angularVelocity.dot(sample.angularMomentum), kFrameBound);
-    EXPECT_LT((seen.attitude * physics::Cuboid().corners().col(7) -
-               turn * (sample.attitude * physics::Cuboid().corners().col(7)))
+    EXPECT_LT((seen.attitude * body::Cuboid().corners().col(7) -
+               turn * (sample.attitude * body::Cuboid().corners().col(7)))
                   .norm(),
               kFrameBound);
     EXPECT_EQ(seen.kinetic, sample.kinetic);

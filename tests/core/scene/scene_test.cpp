@@ -46,13 +46,13 @@ Eigen::Array2d projected(const Eigen::Vector3d& point, const Eigen::Vector3d& ca
 }
 
 /// The farthest that a corner gets from the middle in many attitudes.
-double farthestCorner(const physics::Cuboid& body, const View& view) {
+double farthestCorner(const body::Cuboid& body, const View& view) {
   const Eigen::Vector3d camera =
       defaultCameraPosition(body, view.fieldOfViewDeg, view.width, view.height);
   std::mt19937 random(1);
   double farthest = 0;
   for (int i = 0; i < 500; ++i) {
-    const physics::Cage corners = randomAttitude(random).toRotationMatrix() * body.corners();
+    const body::Cage corners = randomAttitude(random).toRotationMatrix() * body.corners();
     for (int c = 0; c < 8; ++c) {
       farthest = std::max(farthest, projected(corners.col(c), camera, view).maxCoeff());
     }

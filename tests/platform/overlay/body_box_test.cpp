@@ -10,7 +10,7 @@ namespace {
 const Eigen::Vector3d kEye(0, 0, 2);
 
 TEST(BodyBox, HidesWhatIsInItOrBehindIt) {
-  const physics::Cuboid body{{2, 2, 1}, 1};
+  const body::Cuboid body{{2, 2, 1}, 1};
   const BodyBox box(body, body.corners());
   EXPECT_TRUE(box.hides({0, 0, 0}, kEye));
   EXPECT_TRUE(box.hides({0.5, 0.5, -3}, kEye));
@@ -20,7 +20,7 @@ TEST(BodyBox, HidesWhatIsInItOrBehindIt) {
 }
 
 TEST(BodyBox, TurnsAndStretchesWithTheBody) {
-  const physics::Cuboid body{{2, 2, 1}, 1};
+  const body::Cuboid body{{2, 2, 1}, 1};
   const Eigen::Vector3d behind(1.3, 0, 0.3);
   EXPECT_FALSE(BodyBox(body, body.corners()).hides(behind, kEye));
   const Eigen::Matrix3d stretch = Eigen::Vector3d(1.5, 1, 1).asDiagonal();

@@ -22,7 +22,7 @@ struct Found {
   std::vector<ScreenTriangle> triangles;
   geometry::PixelRect bounds;
 
-  explicit Found(const physics::Cage& corners) {
+  explicit Found(const body::Cage& corners) {
     const geometry::Projection projection =
         geometry::project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
@@ -61,7 +61,7 @@ TEST(BodyEdges, LeaveOutBackFaces) {
   const geometry::Mesh mesh = geometry::makeBookMesh();
   std::size_t all = 0;
   for (const geometry::MeshPart& part : mesh.parts) all += part.triangles.size() / 3;
-  physics::Cage pierced = book();  // A corner of the cover has gone through the book.
+  body::Cage pierced = book();  // A corner of the cover has gone through the book.
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);
   EXPECT_LT(usual.triangles.size(), all / 2);
@@ -74,7 +74,7 @@ TEST(BodyEdges, LeaveOutBackFaces) {
 }
 
 TEST(BodyEdges, LeaveOutWhatReachesBehindTheCamera) {
-  physics::Cage corners = book();
+  body::Cage corners = book();
   corners.rightCols<4>().row(2).array() += 2;  // The front cover.
   const Found found(corners);
   EXPECT_LT(found.triangles.size(), 2000U);

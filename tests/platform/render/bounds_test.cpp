@@ -23,8 +23,8 @@ using testing::settingsOf;
 constexpr int kBoundsWidth = 160;
 constexpr int kBoundsHeight = 90;
 
-std::vector<physics::Cage> shapes() {
-  std::vector<physics::Cage> result = {book(), testing::skewedBook(), testing::insideOutBook()};
+std::vector<body::Cage> shapes() {
+  std::vector<body::Cage> result = {book(), testing::skewedBook(), testing::insideOutBook()};
   for (int i = 0; i < 24; ++i) {
     result.push_back(book({{37.0 * i, kX}, {53.0 * i, kY}, {71.0 * i, kZ}}));
   }
@@ -61,7 +61,7 @@ bool wellInside(const std::vector<geometry::PixelRect>& areas, int x, int y) {
 TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
   Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
-  const std::vector<physics::Cage> all = shapes();
+  const std::vector<body::Cage> all = shapes();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const image::Image picture = drawn(renderer, all[i]);
     const auto camera = settingsOf(kBoundsWidth, kBoundsHeight).camera;
@@ -113,7 +113,7 @@ TEST(Bands, LeaveOutMostOfWhatIsBesideTheHull) {
 }
 
 TEST(Bands, StandOneBelowTheOtherWithinTheBounds) {
-  for (const physics::Cage& corners : shapes()) {
+  for (const body::Cage& corners : shapes()) {
     const auto projection = geometry::project(settingsOf(kBoundsWidth, kBoundsHeight).camera,
                                               corners, {kBoundsWidth, kBoundsHeight});
     int row = projection.bounds.y;
@@ -131,7 +131,7 @@ TEST(Bands, StandOneBelowTheOtherWithinTheBounds) {
 TEST(Bounds, DoNotShowInTheBackground) {
   Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
-  physics::Cage speck = 1e-6 * book();
+  body::Cage speck = 1e-6 * book();
   speck.col(0) = Eigen::Vector3d(0.3, 0.2, 0);  // A needle: wide bounds, next to no pixels.
   const image::Image picture = drawn(renderer, speck);
   int differing = 0;
@@ -147,7 +147,7 @@ TEST(Bounds, BesideThePictureLeaveTheBackground) {
   Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image right = emptyPicture(renderer);
   drawn(renderer, book());
-  const physics::Cage above = book().colwise() + Eigen::Vector3d(0, 20, 0);
+  const body::Cage above = book().colwise() + Eigen::Vector3d(0, 20, 0);
   EXPECT_EQ(drawn(renderer, above), right);
 }
 

@@ -10,8 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "body/cuboid.h"
 #include "image/image.h"
-#include "physics/cuboid.h"
 #include "render/renderer.h"
 
 namespace rotatebook::render::testing {
@@ -38,7 +38,7 @@ struct Turn {
 };
 
 /// `corners` after these turns, the first one first.
-inline physics::Cage turned(physics::Cage corners, std::initializer_list<Turn> turns) {
+inline body::Cage turned(body::Cage corners, std::initializer_list<Turn> turns) {
   for (const Turn& turn : turns) {
     const Eigen::AngleAxisd rotation(turn.angleDeg * kDegree, turn.axis.normalized());
     corners = rotation.toRotationMatrix() * corners;
@@ -47,8 +47,8 @@ inline physics::Cage turned(physics::Cage corners, std::initializer_list<Turn> t
 }
 
 /// The default book after these turns.
-inline physics::Cage book(std::initializer_list<Turn> turns = {}) {
-  return turned(physics::Cuboid{}.corners(), turns);
+inline body::Cage book(std::initializer_list<Turn> turns = {}) {
+  return turned(body::Cuboid{}.corners(), turns);
 }
 
 inline const Eigen::Vector3d kX = Eigen::Vector3d::UnitX();
@@ -56,8 +56,8 @@ inline const Eigen::Vector3d kY = Eigen::Vector3d::UnitY();
 inline const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
 
 /// A book bent far from a cuboid: twisted, tapered and with one corner pulled out.
-inline physics::Cage skewedBook() {
-  physics::Cage corners = physics::Cuboid{}.corners();
+inline body::Cage skewedBook() {
+  body::Cage corners = body::Cuboid{}.corners();
   for (int i = 0; i < 8; ++i) {
     const double height = corners(1, i);
     corners.col(i) = Eigen::AngleAxisd(3 * height, kY) * corners.col(i);
@@ -68,15 +68,15 @@ inline physics::Cage skewedBook() {
 }
 
 /// A book whose covers have passed through each other.
-inline physics::Cage insideOutBook() {
-  physics::Cage corners = physics::Cuboid{}.corners();
+inline body::Cage insideOutBook() {
+  body::Cage corners = body::Cuboid{}.corners();
   corners.row(2) *= -1;
   return turned(corners, {{-35, kY}, {20, kX}});
 }
 
 /// A book flying apart, with corners behind the camera of settingsOf().
-inline physics::Cage explodingBook() {
-  physics::Cage corners = book({{-30, kY}, {25, kX}});
+inline body::Cage explodingBook() {
+  body::Cage corners = book({{-30, kY}, {25, kX}});
   corners.col(7) += Eigen::Vector3d(0.3, 0.1, 1.2);
   corners.col(5) += Eigen::Vector3d(0.2, -0.4, 1.0);
   corners.col(0) *= 6;
@@ -114,7 +114,7 @@ inline image::Image plain(int width, int height, const Colour& colour) {
 }
 
 /// All of `corners` drawn by `renderer`.
-inline image::Image drawn(Renderer& renderer, const physics::Cage& corners) {
+inline image::Image drawn(Renderer& renderer, const body::Cage& corners) {
   image::Image picture = renderer.makePicture();
   renderer.draw(corners, picture);
   return picture;
@@ -122,7 +122,7 @@ inline image::Image drawn(Renderer& renderer, const physics::Cage& corners) {
 
 /// The picture without a book: it is drawn far to the right of the camera's view.
 inline image::Image emptyPicture(Renderer& renderer) {
-  const physics::Cage beside = book().colwise() + Eigen::Vector3d(50, 0, 0);
+  const body::Cage beside = book().colwise() + Eigen::Vector3d(50, 0, 0);
   return drawn(renderer, beside);
 }
 

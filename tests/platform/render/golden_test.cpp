@@ -25,7 +25,7 @@ constexpr image::Tolerance kSameMachineKind{.largest = 3, .failPercent = 0.5};
 
 struct Pose {
   std::string name;
-  physics::Cage corners;
+  body::Cage corners;
   RenderSettings settings = testing::settingsOf(128, 72);
 };
 
@@ -54,7 +54,7 @@ image::Image redAndBlueSwapped(image::Image picture) {
 
 class Golden : public ::testing::TestWithParam<Pose> {
  protected:
-  image::Image draw(const physics::Cage& corners) { return testing::drawn(renderer_, corners); }
+  image::Image draw(const body::Cage& corners) { return testing::drawn(renderer_, corners); }
 
   static bool same(const std::string& name, const image::Image& picture) {
     return image::compare(image::testing::golden(name).view(), picture.view(), kSameMachineKind)
@@ -76,7 +76,7 @@ TEST_P(Golden, IsMatched) {
 
 TEST_P(Golden, IsNotMatchedByABookTurnedByOneDegree) {
   for (const Eigen::Vector3d& axis : {kX, kY, kZ}) {
-    const physics::Cage corners = testing::turned(GetParam().corners, {{1, axis}});
+    const body::Cage corners = testing::turned(GetParam().corners, {{1, axis}});
     EXPECT_FALSE(same(GetParam().name, draw(corners))) << "turned about " << axis.transpose();
   }
 }

@@ -26,7 +26,7 @@ using testing::settingsOf;
 
 constexpr int kLookWidth = 160, kLookHeight = 90;
 
-physics::Cage tilted() {
+body::Cage tilted() {
   return book({{-35, kY}, {20, kX}});
 }
 

@@ -29,8 +29,8 @@ BookTextures clothCovers() {
 
 /// From the figures, where hinges, rims or leaves are seen from their sides. models at 1.45 s comes
 /// first, then Figure 5 at 1.45 s, 3 at 8.88 s, and 4 at 9.99, 14.43, 7.35 and 0 s.
-std::vector<physics::Cage> sideViews() {
-  std::vector<physics::Cage> all;
+std::vector<body::Cage> sideViews() {
+  std::vector<body::Cage> all;
   for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{152.3, 179.8, 179.7},
                                                                   {150.9, 179.8, 179.7},
                                                                   {179.7, -179.1, 48.9},
@@ -51,7 +51,7 @@ RenderSettings asInFigures(int width, int height, int bottomRows, double fieldOf
 }
 
 /// 64 samples a pixel, each shaded by itself.
-std::vector<image::Image> samplesOf(const RenderSettings& settings, const physics::Cage& corners) {
+std::vector<image::Image> samplesOf(const RenderSettings& settings, const body::Cage& corners) {
   RenderSettings fine = settings;
   fine.width *= kFine;
   fine.height *= kFine;
@@ -112,7 +112,7 @@ std::vector<Distances> distancesAt(const RenderSettings& settings) {
   }
   std::vector<Distances> all;
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const physics::Cage corners = sideViews()[i];
+    const body::Cage corners = sideViews()[i];
     const image::Image reference = testing::meanLight(samplesOf(settings, corners), background);
     const image::Image four =
         testing::meanLight(SampledBook(settings, clothCovers()).multisampled(corners), background);

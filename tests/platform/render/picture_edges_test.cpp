@@ -48,7 +48,7 @@ std::vector<EdgePixel> edgePixels() {
   std::vector<EdgePixel> edges;
   for (int step = 0; step < 16; ++step) {
     constexpr double kPixel = 0.0065;  // m, at the front cover
-    const physics::Cage corners = book().colwise() + Eigen::Vector3d(step * kPixel / 16, 0, 0);
+    const body::Cage corners = book().colwise() + Eigen::Vector3d(step * kPixel / 16, 0, 0);
     const image::Image picture = drawn(renderer, corners);
     const int y = kCutHeight / 2;
     int x = kCutWidth - 1;

@@ -23,7 +23,7 @@ using testing::kX;
 using testing::kY;
 using testing::settingsOf;
 
-std::vector<physics::Cage> someShapes() {
+std::vector<body::Cage> someShapes() {
   return {book({{-35, kY}, {20, kX}}), testing::explodingBook(), book({{180, kY}}),
           testing::insideOutBook(), testing::skewedBook()};
 }
@@ -66,7 +66,7 @@ TEST(Renderer, DrawsTheSamePictureAgain) {
 TEST(Renderer, DrawsTheSamePicturesInAnyOrder) {
   Renderer renderer(settingsOf(128, 72), builtinTextures());
   const std::vector<image::Image> inOrder = drawAll(renderer);
-  const std::vector<physics::Cage> shapes = someShapes();
+  const std::vector<body::Cage> shapes = someShapes();
   for (const std::size_t i : {4U, 1U, 3U, 0U, 1U, 2U}) {
     EXPECT_EQ(drawn(renderer, shapes[i]), inOrder[i]) << "shape " << i;
   }
@@ -120,7 +120,7 @@ TEST(Renderer, DrawsNothingFromWithinTheBook) {
 
 // The picture of a book that reaches behind the camera is only changed along its edges.
 TEST(Renderer, SmoothsABookThatReachesBehindTheCamera) {
-  const physics::Cage corners = testing::explodingBook();
+  const body::Cage corners = testing::explodingBook();
   Renderer renderer(settingsOf(256, 144), builtinTextures());
   DrawnBody raw = renderer.makeBody();
   renderer.draw(corners, raw);

@@ -68,7 +68,7 @@ struct SampledBook::Parts {
         back(textures.back.view(), kClamped),
         leaves(image::decodePng(paperPng(), "built-in paper").view(), kRepeated) {}
 
-  void draw(const physics::Cage& corners) const {
+  void draw(const body::Cage& corners) const {
     const geometry::Projection projection = geometry::project(
         settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
@@ -87,7 +87,7 @@ struct SampledBook::Parts {
     drawPart(geometry::BookPart::Pages, leaves);
   }
 
-  static void use(const ShaderProgram& program, const physics::Cage& corners,
+  static void use(const ShaderProgram& program, const body::Cage& corners,
                   const Eigen::Matrix4d& clipFromWorld) {
     program.use();
     program.set("cage", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
@@ -119,7 +119,7 @@ SampledBook::SampledBook(const RenderSettings& settings, const BookTextures& tex
     : parts_(std::make_unique<Parts>(settings, textures)) {}
 SampledBook::~SampledBook() = default;
 
-std::vector<image::Image> SampledBook::multisampled(const physics::Cage& corners) {
+std::vector<image::Image> SampledBook::multisampled(const body::Cage& corners) {
   parts_->target.begin(parts_->everything);
   if (!parts_->sampled) parts_->sampled.emplace(parts_->settings.width, parts_->settings.height);
   glBindFramebuffer(GL_FRAMEBUFFER, parts_->sampled->buffer.name());
@@ -142,7 +142,7 @@ std::vector<image::Image> SampledBook::multisampled(const physics::Cage& corners
   return samples;
 }
 
-image::Image SampledBook::drawn(const physics::Cage& corners) {
+image::Image SampledBook::drawn(const body::Cage& corners) {
   parts_->target.begin(parts_->everything);
   parts_->draw(corners);
   return parts_->readBack();

@@ -17,9 +17,9 @@ class SampledBook {
 
   /// Returns the colours of OpenGL's four samples a pixel; alpha is 0 where the book isn't. A
   /// triangle is shaded once a pixel for all of the samples that it covers.
-  std::vector<image::Image> multisampled(const physics::Cage& corners);
+  std::vector<image::Image> multisampled(const body::Cage& corners);
   /// One sample a pixel, likewise.
-  image::Image drawn(const physics::Cage& corners);
+  image::Image drawn(const body::Cage& corners);
 
  private:
   struct Parts;

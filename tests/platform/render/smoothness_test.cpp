@@ -26,8 +26,8 @@ BookTextures plainCovers() {
   return {plain(8, 8, {150, 20, 30}), plain(8, 8, {120, 20, 40}), plain(8, 8, {200, 190, 170})};
 }
 
-std::vector<physics::Cage> views() {
-  std::vector<physics::Cage> all;
+std::vector<body::Cage> views() {
+  std::vector<body::Cage> all;
   for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{-29, 32, 7},
                                                                   {52, -40, 17},
                                                                   {-20, -66, 11},
@@ -42,7 +42,7 @@ std::vector<physics::Cage> views() {
   return all;
 }
 
-image::Image drawnAt(int scale, const physics::Cage& corners) {
+image::Image drawnAt(int scale, const body::Cage& corners) {
   RenderSettings settings = testing::settingsOf(scale * kSmoothWidth, scale * kSmoothHeight);
   settings.camera = {{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30};
   Renderer renderer(settings, plainCovers());
@@ -92,7 +92,7 @@ Difference differenceOf(const image::Image& one, const image::Image& other) {
 TEST(Smoothness, ComesCloserTo64SamplesThanFourSamplesDo) {
   const std::vector<std::pair<int, int>> four{{3, 1}, {7, 3}, {0, 4}, {4, 6}};
   Difference ours, theirs;
-  for (const physics::Cage& corners : views()) {
+  for (const body::Cage& corners : views()) {
     const image::Image fine = drawnAt(kFineness, corners);
     const image::Image reference = meanOf(fine, allPlaces());
     const Difference our = differenceOf(drawnAt(1, corners), reference);

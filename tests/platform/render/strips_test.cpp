@@ -15,7 +15,7 @@ using testing::book;
 using testing::kX;
 using testing::kY;
 
-std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
+std::vector<ScreenStrip> stripsAt(int width, int height, const body::Cage& corners) {
   const geometry::Projection projection =
       geometry::project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
   std::vector<ScreenStrip> onScreen;
@@ -25,12 +25,12 @@ std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& co
   return onScreen;
 }
 
-long narrowAt(int width, int height, const physics::Cage& corners) {
+long narrowAt(int width, int height, const body::Cage& corners) {
   return std::ranges::count_if(stripsAt(width, height, corners), &ScreenStrip::narrow);
 }
 
 TEST(Strips, AreNarrowInSmallPicturesAlone) {
-  const physics::Cage corners = book({{-35, kY}, {20, kX}});
+  const body::Cage corners = book({{-35, kY}, {20, kX}});
   EXPECT_GE(narrowAt(320, 180, corners), 30);   // measured 38
   EXPECT_LE(narrowAt(7680, 4320, corners), 4);  // measured 2
 }

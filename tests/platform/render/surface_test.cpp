@@ -13,7 +13,7 @@
 namespace rotatebook::render::testing {
 namespace {
 
-const physics::Cuboid kBox{{0.2, 0.3, 0.05}, 1};
+const body::Cuboid kBox{{0.2, 0.3, 0.05}, 1};
 
 std::shared_ptr<SurfaceLook> boxLook(const body::Material& material) {
   auto look = std::make_shared<SurfaceLook>();
@@ -30,8 +30,7 @@ RenderSettings transparent(int width, int height) {
   return settings;
 }
 
-image::Image drawn(const RenderSettings& settings, const BodyLook& look,
-                   const physics::Cage& cage) {
+image::Image drawn(const RenderSettings& settings, const BodyLook& look, const body::Cage& cage) {
   Renderer renderer(settings, std::vector<BodyLook>{look});
   image::Image picture = renderer.makePicture();
   renderer.draw(cage, picture);
@@ -130,7 +129,7 @@ TEST(Surface, MixesNoPixelsOfAPictureWithSquares) {
 
 TEST(Surface, OfMetalMirrorsWhereARoughOneScatters) {
   const body::Material metal{.metalness = 1, .roughness = 0.1F}, matt{.roughness = 1};
-  const physics::Cage cage = turned(kBox.corners(), {{30, kY}});
+  const body::Cage cage = turned(kBox.corners(), {{30, kY}});
   EXPECT_NE(drawn(transparent(64, 36), boxLook(metal), cage),
             drawn(transparent(64, 36), boxLook(matt), cage));
 }

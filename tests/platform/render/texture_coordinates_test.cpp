@@ -111,7 +111,7 @@ TEST(TextureCoordinates, PagesShowOnTheThreeOtherSides) {
 TEST(TextureCoordinates, NearAndFarCoversHideEachOther) {
   const BookTextures textures{plain(8, 8, kRed), plain(8, 8, kBlack), plain(8, 8, kBlue)};
   Renderer renderer(testing::settingsOf(kSize, kSize), textures);
-  physics::Cage swapped = book();
+  body::Cage swapped = book();
   swapped.row(2) *= -1;  // Inside out: now the back cover is nearest.
   EXPECT_EQ(huesAround(drawn(renderer, book()), 12, 20), "red red red red ");
   EXPECT_EQ(huesAround(drawn(renderer, swapped), 12, 20), "blue blue blue blue ");
@@ -139,7 +139,7 @@ double splitInRow(const image::Image& picture, int y) {
 }
 
 // The picture's place of the point `unit` of the cube that `corners` span.
-Eigen::Vector2d placeOf(const RenderSettings& settings, const physics::Cage& corners,
+Eigen::Vector2d placeOf(const RenderSettings& settings, const body::Cage& corners,
                         const Eigen::Vector3d& unit) {
   Eigen::Vector3d world = Eigen::Vector3d::Zero();
   for (int i = 0; i < 8; ++i) {
@@ -157,7 +157,7 @@ Eigen::Vector2d placeOf(const RenderSettings& settings, const physics::Cage& cor
 }
 
 // Largest distance of the split from where the trilinear map puts it, along five lines. [pixels]
-double largestError(const physics::Cage& corners, double share) {
+double largestError(const body::Cage& corners, double share) {
   RenderSettings settings = testing::settingsOf(kWide, kWide);
   settings.camera.position = {0, 0, 0.2};  // So near that perspective is strong.
   settings.camera.fieldOfViewDeg = 90;
@@ -182,7 +182,7 @@ TEST(TextureCoordinates, IsCorrectInPerspective) {
 
 TEST(TextureCoordinates, FollowsTheTrilinearMapOnASkewedSide) {
   constexpr double kBound = 1;  // pixels; measured 0.53
-  physics::Cage corners = book({{40, kY}});
+  body::Cage corners = book({{40, kY}});
   corners.col(7) += Eigen::Vector3d(0.03, -0.06, 0.06);  // Fore edge, head, front.
   corners.col(4) += Eigen::Vector3d(-0.04, 0.03, 0.02);  // Spine, foot, front.
   EXPECT_LT(largestError(corners, 0.5), kBound);

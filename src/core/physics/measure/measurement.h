@@ -89,7 +89,7 @@ class Measurement {
   rigid::Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
                        rigid::Regime exact) const;
 
-  Cuboid body_;
+  body::Cuboid body_;
   rigid::PrincipalAxes inertia_;
   Eigen::Vector3d spunAxis_;
   std::optional<NudgedRotation> exact_;  // unless there is no comparison

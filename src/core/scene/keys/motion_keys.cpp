@@ -192,11 +192,11 @@ std::string labelFrom(const ValueReader& value, const ValueForm& form) {
 
 Keys<MotionSettings> bodyKeys() {
   static constexpr std::array keys{
-      vector<Within<&MotionSettings::body, &physics::Cuboid::size>{}>(
+      vector<Within<&MotionSettings::body, &body::Cuboid::size>{}>(
           "size", kSizes,
           {.comment = "m, along x (from the spine), y (to the top), z (to the cover)",
            .meaning = "along x, y, z"}),
-      number<Within<&MotionSettings::body, &physics::Cuboid::mass>{}>(
+      number<Within<&MotionSettings::body, &body::Cuboid::mass>{}>(
           "mass", kMass, {.comment = "kg", .meaning = "in all"}),
       own<&MotionSettings::inertia, inertiaFrom, inertiaText, readMoment>(
           "inertia", "three moments, or a symmetric 3x3 tensor",

@@ -42,7 +42,7 @@ class Member {
   double timeOf(double frame) const { return frame * interval_; }
   void count(Block& block, int lane, const physics::BodyState& state) const;
 
-  physics::Cuboid body_;
+  body::Cuboid body_;
   double interval_;  // a frame's [s]
   physics::QuaternionMotion motion_;
   Eigen::Vector3d spunAxis_;  // in body axes

@@ -113,7 +113,7 @@ BodyEdges::BodyEdges(const geometry::Mesh& mesh) {
   }
 }
 
-void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+void BodyEdges::find(const body::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
                      std::span<const ScreenStrip> strips, EdgePixels& pixels,
                      std::vector<ScreenTriangle>& triangles) const {
   // Transform the vertices to clip space

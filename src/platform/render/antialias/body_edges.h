@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
+#include "body/cuboid.h"
 #include "geometry/mesh.h"
-#include "physics/cuboid.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/edge_samples.h"
 #include "render/antialias/strips.h"
@@ -27,7 +27,7 @@ class BodyEdges {
   /// included, and to `triangles` all that are drawn. Both are clipped at the near plane.
   /// `winding`: from frontFaceWinding(). `strips`: by strip number; a narrow one is a surface of
   /// its own.
-  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+  void find(const body::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             std::span<const ScreenStrip> strips, EdgePixels& pixels,
             std::vector<ScreenTriangle>& triangles) const;
 

@@ -73,7 +73,7 @@ StripFinder::StripFinder(const geometry::Mesh& mesh) {
   }
 }
 
-void StripFinder::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+void StripFinder::find(const body::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
                        const Eigen::Vector2i& size, std::vector<ScreenStrip>& onScreen) const {
   const Eigen::Matrix<float, 4, 8> clip =
       (clipFromWorld * cage.colwise().homogeneous()).cast<float>();

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "body/cuboid.h"
 #include "geometry/mesh.h"
 #include "image/image.h"
-#include "physics/cuboid.h"
 
 namespace rotatebook::render {
 
@@ -46,7 +46,7 @@ class StripFinder {
   std::size_t count() const { return strips_.size(); }
   /// Sets `onScreen` to all strips of the body in this cage, in a picture of this size. [pixels]
   /// `winding`: from frontFaceWinding().
-  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+  void find(const body::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             const Eigen::Vector2i& size, std::vector<ScreenStrip>& onScreen) const;
 
  private:

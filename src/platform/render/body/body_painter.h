@@ -3,8 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "body/cuboid.h"
 #include "geometry/mesh.h"
-#include "physics/cuboid.h"
 #include "render/drawn_body.h"
 #include "render/gl/shader_program.h"
 

@@ -69,7 +69,7 @@ void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& e
 
 /// Returns the Jacobian determinant of the map from the unit cube at each corner, as a share of the
 /// largest magnitude. Negative: inside out.
-Eigen::Array<double, 8, 1> cornerDeterminants(const physics::Cage& cage) {
+Eigen::Array<double, 8, 1> cornerDeterminants(const body::Cage& cage) {
   Eigen::Array<double, 8, 1> determinants;
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d edges;
@@ -132,7 +132,7 @@ void MeshGeometry::draw(std::size_t part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-int frontFaceWinding(const physics::Cage& cage) {
+int frontFaceWinding(const body::Cage& cage) {
   constexpr double kClearlyOriented = 0.2;
   const Eigen::Array<double, 8, 1> determinants = cornerDeterminants(cage);
   // Clip y points down, which reverses every triangle's winding.

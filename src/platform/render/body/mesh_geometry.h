@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "body/cuboid.h"
 #include "geometry/mesh.h"
-#include "physics/cuboid.h"
 #include "render/antialias/strips.h"
 #include "render/gl/gl_handles.h"
 
@@ -46,6 +46,6 @@ class MeshGeometry {
 /// Returns the winding that front faces have in the picture, 1 from x to y or -1 from y to x; only
 /// they are to be drawn. Returns 0 if the cage is so deformed that any triangle may be visible: all
 /// are to be drawn.
-int frontFaceWinding(const physics::Cage& cage);
+int frontFaceWinding(const body::Cage& cage);
 
 }  // namespace rotatebook::render

@@ -1,8 +1,8 @@
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook::body {
 namespace {
 
 constexpr double kCuboidBound = 1e-16;  // [kg m^2]; measured 8e-18
@@ -43,4 +43,4 @@ TEST(Cuboid, KnowsItsLongestEdge) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::body

@@ -1,6 +1,6 @@
-#include "physics/cuboid.h"
+#include "body/cuboid.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::body {
 namespace {
 
 // Returns b^2+c^2, a^2+c^2, a^2+b^2, to which both kinds of moments are proportional.
@@ -30,4 +30,4 @@ Eigen::Vector3d Cuboid::particleInertia() const {
   return mass / 4 * squaredDistancesFromAxes(size);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::body

@@ -5,7 +5,7 @@
 
 #include "base/layout.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::body {
 
 /// The eight corners of a body, deformed or not, one per column. [m] Corner i has the sign of x
 /// from bit 0 of i, of y from bit 1, of z from bit 2.
@@ -30,4 +30,4 @@ struct Cuboid {
   friend bool operator==(const Cuboid&, const Cuboid&) = default;
 };
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::body

@@ -93,7 +93,7 @@ const std::map<std::string, Room> kRooms{
      {"app",
       {"base", "body", "system", "image", "render", "overlay", "video"},
       {"Eigen/"},
-      {"geometry"}}},
+      {"rigid", "physics", "geometry", "scene"}}},
     {"page",
      {"app",
       {"base", "scene", "timeline", "system", "image", "video", "store"},

@@ -123,7 +123,7 @@ TEST(Bridge, ReadsMeshesThatItWasGiven) {
   const std::string record = taken(rb_scene_text(0));
   ASSERT_EQ(rb_file(0, 0), 0);
   read(0, record);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\":48"));
+  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\":2148"));
 }
 
 }  // namespace

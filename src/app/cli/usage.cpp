@@ -91,14 +91,24 @@ bool isFile(std::string_view argument) {
   return ending.size() > 1 && std::isalpha(static_cast<unsigned char>(ending[1]));
 }
 
-/// Returns what is wrong with an option's value, where CLI11 says "Could not convert: --time =
-/// noon".
-std::string valueProblem(const CLI::App& command, const std::string& error) {
-  constexpr std::string_view kBegin = "Could not convert: ", kIs = " = ";
-  const std::size_t middle = error.find(kIs);
-  if (!error.starts_with(kBegin) || middle == error.npos) return echoed(error);
-  const std::string name = error.substr(kBegin.size(), middle - kBegin.size());
-  const std::string value = error.substr(middle + kIs.size());
+/// Returns the option of `command` that was given a word that isn't of its type; null for none.
+const CLI::Option* misgiven(CLI::App& command) {
+  for (CLI::Option* option : command.get_options()) {
+    try {
+      if (option->count() > 0) option->run_callback();
+    } catch (const CLI::ConversionError&) {
+      return option;
+    }
+  }
+  return nullptr;
+}
+
+/// Returns what is wrong with an option's value.
+std::string valueProblem(CLI::App& command, const CLI::Error& error) {
+  const bool isOfType = dynamic_cast<const CLI::ConversionError*>(&error) == nullptr;
+  const CLI::Option* option = isOfType ? nullptr : misgiven(command);
+  if (option == nullptr) return echoed(error.what());
+  const std::string name = option->get_name(), value = joined(option->results(), ",");
   const bool areSeveral = value.find(',') != value.npos && command.get_option_no_throw(name + "s");
   return name + " must be a number, and is " + quotedText(echoed(value)) +
          (areSeveral ? "; " + name + "s takes several" : "");
@@ -120,7 +130,7 @@ std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
   if (!isChosen && unknown.empty())
     return "a command is needed, for example: rotatebook render scenes/starter.toml";
   if (!isChosen) return unknownCommandText(program, unknown.front());
-  return unknown.empty() ? valueProblem(command, error.what())
+  return unknown.empty() ? valueProblem(*program.get_subcommands().front(), error)
                          : "unexpected argument: " + echoed(unknown.front());
 }
 

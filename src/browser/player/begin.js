@@ -41,8 +41,12 @@ async function playHash(player) {
     problem = error.message;
   }
   if (location.hash !== hash) return false;
-  if (text !== null) player.load(text, {isPlaying: player.mayMove});
-  else if (player.tour.isOn) player.tour.leave();
+  if (text === null) {
+    if (player.tour.isOn) player.tour.leave();
+  } else if (!player.load(text, {isPlaying: player.mayMove})) {
+    problem = `${player.announcer.message.textContent}.`;
+    player.announcer.show("");
+  }
   const {title = ""} = player.scene.tree;
   if (problem) player.outcome.say(title ? `${problem} ${say("Shown instead: {title}.", {title})}` : problem);
   return text !== null || problem !== "";

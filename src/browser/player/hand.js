@@ -69,7 +69,7 @@ class Hand {
     const size = Math.min(Math.hypot(...spin), kFastest);
     this.putBack();
     if (size < kLeastThrow) {
-      if (!held.wasPlaying) player.outcome.say(say("The hand stood still, so it isn’t a throw: the book is back where it was."));
+      if (!held.wasPlaying) player.outcome.say(say("The hand stood still, so it isn’t a throw: the book is back where it was."), true);
       return;
     }
     const attitude = times(held.turn, [...held.sample.subarray(kSample.attitude, kSample.attitude + 4)]);

@@ -1,7 +1,7 @@
 // The scene as it was loaded: its title, the way back to where it came from, and reset.
 
 class Loaded {
-  /** `line`: .rb-title; `player`: with scene, clock, core, isViewMoved, load(text, options) and apply(tree, options). */
+  /** `line`: .rb-title; `player`: with scene, isPlaying, core, isViewMoved, load(text, options) and apply(tree, options). */
   constructor(line, player) {
     this.line = line;
     this.player = player;
@@ -24,7 +24,7 @@ class Loaded {
 
   /** Loads the scene as it was; the opening one, if nothing was changed. */
   reset() {
-    const {player} = this, {isPlaying} = player.clock;
+    const {player} = this, {isPlaying} = player;
     if (this.isAsItWas) player.load(kOpening, {isPlaying});
     else this.#load(isPlaying);
   }

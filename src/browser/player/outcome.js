@@ -44,15 +44,21 @@ class Outcome {
     if (lack) this.announcer.announce(lack);
   }
 
-  /** Says something else, until another motion comes. */
-  say(text) {
+  /** Says something else, until another motion comes, or this one plays. */
+  say(text, isUntilPlayed = false) {
     this.words = "";
+    this.isUntilPlayed = isUntilPlayed;
     this.#show(text);
     this.announcer.announce(text);
   }
 
+  plays() {
+    if (this.isUntilPlayed) this.#rest();
+  }
+
   #rest() {
     this.words = "";
+    this.isUntilPlayed = false;
     this.#show(this.lack);
   }
 

@@ -78,6 +78,8 @@ class Player {
   }
 
   get labels() { return this.read.motions.map((motion) => motion.label); }
+  /** Whether time goes on, or will once the hand lets go. */
+  get isPlaying() { return this.hand.held?.wasPlaying ?? this.clock.isPlaying; }
   get simulated() { return this.simulation.simulated; }
   get lastFrame() { return this.simulation.lastFrame; }
   get isComplete() { return this.simulation.isComplete; }
@@ -106,7 +108,7 @@ class Player {
   }
 
   /** Changes the scene to an edited tree, at the picture's frame or another. Returns whether the core takes it. */
-  apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying, isMotion = true} = {}) {
+  apply(tree, {frame = this.frame, isPlaying = this.isPlaying, isMotion = true} = {}) {
     if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying, isMotion})) return false;
     this.loaded.show();
     this.edits += 1;
@@ -276,6 +278,7 @@ class Player {
   redraw() { this.isDirty = true; }
 
   #setPlaying(isPlaying) {
+    if (isPlaying) this.outcome.plays();
     if (isPlaying) this.clock.play();
     else this.clock.pause();
     const button = this.find(".rb-play"), word = isPlaying ? say("Pause") : say("Play");

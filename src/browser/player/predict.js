@@ -103,8 +103,8 @@ class Predict {
 
   /** `isStep`: in a tour, which goes on. */
   ask(task, isStep = false) {
-    const {scene, frame, clock} = this.player;
-    if (!isStep) this.before ??= {text: scene.text, frame, isPlaying: clock.isPlaying};
+    const {scene, frame, isPlaying} = this.player;
+    if (!isStep) this.before ??= {text: scene.text, frame, isPlaying};
     this.player.load(kTasks[task].scene, {isPlaying: false, isQuestion: true, isStep});
     Object.assign(this, {task, isStep, chosen: null, isAnswered: false, isOpen: true});
     this.player.loaded.show();

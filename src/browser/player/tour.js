@@ -97,9 +97,9 @@ class Tour {
 
   /** What the player plays, and how it is seen. */
   #keep() {
-    const {scene, frame, clock, record, loaded, book, isTurnedForWhy, orbit} = this.player;
+    const {scene, frame, isPlaying, record, loaded, book, isTurnedForWhy, orbit} = this.player;
     const hash = location.hash.startsWith(kTourHash) ? "" : location.hash;
-    return {text: scene.text, how: {frame, isPlaying: clock.isPlaying, record}, loaded: [loaded.text, loaded.record, loaded.origin], isTurnedForWhy, book, orbit: {...orbit}, hash};
+    return {text: scene.text, how: {frame, isPlaying, record}, loaded: [loaded.text, loaded.record, loaded.origin], isTurnedForWhy, book, orbit: {...orbit}, hash};
   }
 
   /** Leaves, and gives the book back as it was before; the address, too. */

@@ -214,6 +214,8 @@ test("a hand that holds a waiting book still before it lets go puts it back, and
   assert.match(await said.textContent(), /^The hand stood still, so it isn’t a throw/);
   await lies();
   assert.deepEqual([await sceneOf(page), await frameOf(page)], [before, 240]);
+  await page.keyboard.press("Space");
+  await said.waitFor({state: "hidden"});
   assert.deepEqual(problems, []);
   await close();
 });
@@ -236,6 +238,23 @@ test("a book in the hand is thrown, moved and played by nothing else; Escape put
   await page.mouse.up();
   assert.deepEqual(await sceneOf(page), before, "nor does the hand throw it then");
   assert.deepEqual(problems, []);
+  await close();
+});
+
+test("who changes how a book in the hand is seen has it back, and it goes on", async () => {
+  const {page, close} = await open({reducedMotion: "no-preference"});
+  const {middle: [x, y]} = await stageOf(page);
+  for (const name of ["book", "why"]) {
+    await page.waitForFunction(() => rotatebook.player.clock.isPlaying && rotatebook.player.frame > 10);
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 60, y, {steps: 3});
+    assert.ok(await page.evaluate(() => rotatebook.player.hand.held !== null));
+    await page.getByRole("button", {name, exact: true}).or(page.getByRole("radio", {name, exact: true})).first().evaluate((button) => button.click());
+    await page.waitForFunction(() => rotatebook.player.hand.held === null);
+    assert.ok(await page.evaluate(() => rotatebook.player.clock.isPlaying), name);
+    await page.mouse.up();
+  }
   await close();
 });
 

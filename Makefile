@@ -12,7 +12,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
+.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -71,13 +71,18 @@ play: setup
 	@mkdir -p $(OUT)
 	cp build/play/play.html $(OUT)/play.html
 
-# BROWSERS="text motions": only those of the tests in browsers.
-test-play: program play
+test-play: test-play-node test-play-browsers
+
+test-play-node: play
 	@scripts/setup.sh play-test
 	@cmake --preset play -DBUILD_TESTING=ON >/dev/null
 	@$(PLAY)
 	ctest --test-dir build/play --output-on-failure --no-tests=error
 	node tests/browser/node/motions.cjs build/play tests/same_bits/motions.txt scenes
+
+# BROWSERS="text motions": only those of the tests.
+test-play-browsers: program play
+	@scripts/setup.sh play-test
 	tests/browser/player/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/play/play.html $(CURDIR)/build/play/browser $(BROWSERS)
 
 PREFIX ?= /usr/local

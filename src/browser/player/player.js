@@ -268,10 +268,11 @@ class Player {
 
   /** The ladder, and the legend of forces. */
   #drawWhy(frame) {
-    const {scene, book} = this, motion = this.read.motions[book], legend = this.find(".rb-legend"), isHeld = this.hand.held !== null;
-    this.ladder.canvas.hidden = !scene.shows("energy_ladder");
+    const {scene, book} = this, motion = this.read.motions[book], legend = this.find(".rb-legend"), hasRoom = this.read.motions.length <= kMostBooks;
+    this.ladder.canvas.hidden = !(hasRoom && scene.shows("energy_ladder"));
     if (!this.ladder.canvas.hidden) this.ladder.draw(this.core.ladder(kPlayed, book, frame));
-    legend.hidden = !scene.shows("forces") || isHeld;
+    legend.hidden = !(hasRoom && scene.shows("forces"));
+    legend.style.visibility = this.hand.held ? "hidden" : "";  // Its place stays.
     if (!legend.hidden) showLegend(legend, this.core.forces(kPlayed, book, frame), motion, scene.frameOf(book), this.drawing.pixelsOfMetre(book));
   }
 

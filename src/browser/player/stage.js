@@ -10,7 +10,8 @@ const kRest = 30;              // After one that wasn't, judgements without a tr
 const kSettling = 0.5;         // After a throw. [s]
 const kBesideLines = 26;       // Of heads and letters at their ends, in widths of a line.
 const kLinesStep = 64;         // Of the size of the canvas that shows them. [pixels]
-const kNameHeight = 24;        // [CSS pixels]
+const kNameHeight = 24;        // Of a book's name, or of a letter at the end of its longest arrow. [CSS pixels]
+const kLeastBetween = 0.6;     // Room between the buttons in which a book's arrows are seen, in heights of the picture.
 const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
 
 /** Divides a picture, into so many `columns` or such that the panels' shorter sides are longest and few are empty. Returns areas [pixels]. */
@@ -115,19 +116,20 @@ class Stage {
   #areas(state) {
     const {width, height} = this.picture, {left, top, right, named} = this.room(state);
     const [x, y, end, label] = [left, top, right, named].map((part) => Math.round(part * width / this.box.width));
-    this.above = label;  // Each book, for its name. [pixels]
+    this.above = label;  // Each book, for its name or a letter. [pixels]
     return dividedAreas(state.read.motions.length, end - x, height - y, state.scene.gridColumns)
       .map((area) => ({x: x + area.x, y: y + area.y + label, width: area.width, height: Math.max(area.height - label, 1)}));
   }
 
-  /** Returns the part of the picture that books have, without buttons over it where they would hide arrows, and the height of their names. [CSS pixels] */
+  /** Returns the part of the picture that books have, without buttons over it where they would hide arrows, and the height of what is above each. [CSS pixels] */
   room({read: {motions}, scene}) {
     const {throws, views, box} = this, room = {left: 0, top: 0, right: box.width, named: 0};
     const isShared = motions.length > 1, left = throws.offsetLeft + throws.offsetWidth;
-    if (isShared && motions.length <= kMostBooks) room.named = kNameHeight * letterSize();
-    if (throws.offsetHeight > throws.offsetWidth) {  // In a low frame.
-      if (isShared || views.offsetLeft - left >= box.height) Object.assign(room, {left, right: views.offsetLeft});
-    } else if (isShared || scene.shows("forces")) room.top = throws.offsetTop + throws.offsetHeight;
+    const isLow = throws.offsetHeight > throws.offsetWidth, between = views.offsetLeft - left;
+    if (motions.length <= kMostBooks && (isShared || !isLow)) room.named = kNameHeight * letterSize();
+    if (isLow) {
+      if (isShared || between >= box.height) Object.assign(room, {left, right: views.offsetLeft});
+    } else if (isShared || between < kLeastBetween * box.height || scene.shows("forces")) room.top = throws.offsetTop + throws.offsetHeight;
     return room;
   }
 

@@ -50,24 +50,27 @@ const coveredBy = (page) => page.evaluate(() => {
 /** Presses why, if the arrows aren't there. */
 const seeWhy = (page) => page.evaluate(() => { if (!rotatebook.player.showsWhy) rotatebook.player.toggleWhy(); });
 
-/** Pixels of arrows and letters beneath buttons in the first three seconds, and what of the legend and the ladder lies on a phone's picture. */
+/** Pixels of arrows and letters beneath buttons, and cut off by the upper edge, in the first three seconds; and what of the legend and the ladder lies on a phone's picture. */
 const hiddenOf = (page) => page.evaluate(() => {
   const {player} = rotatebook, {drawing} = player, picture = drawing.picture.getBoundingClientRect(), scale = drawing.sharpness;
   const buttons = [...document.querySelectorAll(".rb-throws button, .rb-views label, .rb-views button")].map((element) => element.getBoundingClientRect());
-  let ink = 0;
+  const count = (...box) => drawing.lines.getContext("2d").getImageData(...box).data.filter((part, at) => at % 4 === 3 && part > 0).length;
+  let ink = 0, edge = 0;
   for (let frame = 0; frame <= 180; frame += 20) {
     drawing.draw(frame, player);
     for (const {left, top, width, height} of buttons.filter(({top, bottom}) => top < picture.bottom && bottom > picture.top)) {
-      const {data} = drawing.lines.getContext("2d").getImageData((left - picture.left) * scale, (top - picture.top) * scale, width * scale, height * scale);
-      for (let at = 3; at < data.length; at += 4) ink += data[at] > 0;
+      ink += count((left - picture.left) * scale, (top - picture.top) * scale, width * scale, height * scale);
     }
+    edge += count(0, Math.round((drawing.books[0].area.y - drawing.above) * drawing.lines.height / drawing.picture.height), drawing.lines.width, 1);
   }
   const why = innerWidth > 640 ? [] : [".rb-legend", ".rb-ladder"].filter((part) => {
     const {top, height} = document.querySelector(part).getBoundingClientRect();
     return height > 0 && top < picture.bottom;
   });
-  return {ink, why};
+  return {ink, edge, why};
 });
+
+const kNothing = {ink: 0, edge: 0, why: []};
 
 async function checkTour(page, picture) {
   for (let step = 0; step < 6; ++step) {
@@ -81,11 +84,10 @@ async function checkTour(page, picture) {
     assert.ok(y >= 0 && (scrolled === 0 || page.viewportSize().width < 640), `${scrolled} in step ${step + 1}`);
     assert.ok(height >= kLeastPicture, `${height} in step ${step + 1}`);
     const isNarrow = page.viewportSize().width < 640;
-    if (![0, 3, 4].includes(step)) continue;
     if (step === 3) await seeWhy(page);
     await page.waitForFunction(() => rotatebook.player.simulated > 180 && !rotatebook.player.isDirty);
     if (isNarrow) await page.screenshot({path: picture.replace(".png", `-${step + 1}.png`)});
-    assert.deepEqual(await hiddenOf(page), {ink: 0, why: []}, `step ${step + 1}`);
+    assert.deepEqual(await hiddenOf(page), kNothing, `step ${step + 1}`);
   }
 }
 
@@ -98,6 +100,8 @@ for (const name of Object.keys(kPages)) {
       if (width < 640) assert.deepEqual(await coveredBy(page), []);
       const {faults, count, scrolled} = await faultsOf(page);
       assert.deepEqual([faults, count, scrolled], [[], 15, 0]);
+      await page.waitForFunction(() => rotatebook.player.simulated > 180);
+      assert.deepEqual(await hiddenOf(page), kNothing);
       await page.getByRole("button", {name: "why"}).click();
       await page.waitForFunction(() => !document.querySelector(".rb-legend").hidden);
       await page.screenshot({path: path.join(kOutput, `why-${name}-${width}.png`)});
@@ -109,6 +113,25 @@ for (const name of Object.keys(kPages)) {
         await page.mouse.click(line.x + share * line.width, line.y + depth * line.height);
         const at = await page.evaluate(() => rotatebook.player.frame / rotatebook.player.lastFrame);
         assert.ok(Math.abs(at - share) < 0.02, `a click at ${share} of the time line, ${depth} of its height, goes to ${at}`);
+      }
+      assert.deepEqual(problems, []);
+      await close();
+    });
+  }
+}
+
+for (const language of ["en", "de"]) {
+  for (const [hash, widths] of [["", [660, 700, 768, 820, 900, 960, 1024]], ["#embed", [660, 700, 768, 830, 900, 960]]]) {
+    test(`no control lies on another at any width between: ${language} ${hash}`, async () => {
+      const {page, problems, close} = await open({viewport: {width: 1366, height: 768}}, {hash: `?lang=${language}${hash}`});
+      await page.waitForFunction(() => rotatebook.player.simulated > 180);
+      for (const width of widths) {
+        await page.setViewportSize({width, height: 768});
+        await page.waitForFunction((wanted) => innerWidth === wanted && !rotatebook.player.isDirty, width);
+        const {faults, count, scrolled} = await faultsOf(page);
+        assert.deepEqual([faults, count, scrolled], [[], 15, 0], `${width}`);
+        assert.deepEqual(await hiddenOf(page), kNothing, `${width}`);
+        if (width === 768) await page.screenshot({path: path.join(kOutput, `between-${language}${hash.slice(1)}.png`)});
       }
       assert.deepEqual(problems, []);
       await close();

@@ -2,9 +2,10 @@
 "use strict";
 
 const assert = require("node:assert/strict");
+const fs = require("node:fs");
 const path = require("node:path");
 const {test, before, after} = require("node:test");
-const {kOutput, startBrowser, closeBrowser, open, playerScripts, frameOf, sceneOf, messageOf, load} = require("./live_page.cjs");
+const {kRoot, kOutput, testOnce, startBrowser, closeBrowser, open, playerScripts, frameOf, sceneOf, messageOf, load} = require("./live_page.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -66,6 +67,7 @@ test("why shows forces, with a legend, and the ladder", async () => {
   const withForces = await picture(".rb-lines");
   assert.notEqual(withForces, before);
   assert.ok(await page.locator(".rb-ladder").isVisible());
+  assert.ok(await page.locator(".rb-hint").isHidden(), "it would lie on the arrows");
   await page.screenshot({path: path.join(kOutput, "why.png")});
   await see("turning");
   await why.click();
@@ -73,6 +75,35 @@ test("why shows forces, with a legend, and the ladder", async () => {
   assert.equal((await sceneOf(page)).camera.frame, "world", "as it was before");
   await page.locator(".rb-legend").waitFor({state: "hidden"});
   assert.equal(await picture(".rb-lines"), before);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
+testOnce("why of several books covers none of them, nor their names; above six it has no legend and no ladder", async () => {
+  const {page, problems, close} = await open();
+  const many = fs.readFileSync(path.join(kRoot, "scenes/comparisons/ninety-six.toml"), "utf8");
+  const panels = (count) => Array.from({length: count}, (_, i) => `[[panel]]\nlabel = "y: the smallest moment ${i}"\ninitial.angular_velocity = [4, 0, ${i}]\n`).join("");
+  for (const [width, height] of [[1366, 768], [700, 768], [390, 844]]) {
+    await page.setViewportSize({width, height});
+    for (const count of [2, 3, 6, 96]) {
+      await load(page, count > 6 ? many : `title = "t"\nsimulation.model = "exact"\n${panels(count)}`);
+      assert.equal(await page.evaluate(() => rotatebook.player.labels.length), count);
+      await page.evaluate(() => rotatebook.player.toggleWhy());
+      await page.waitForFunction(() => !rotatebook.player.isDirty && !rotatebook.player.isWaiting);
+      const seen = await page.evaluate(() => {
+        const boxOf = (selector) => document.querySelector(selector).getBoundingClientRect(), {bottom} = boxOf(".rb-stage");
+        const parts = [".rb-ladder", ".rb-legend", ".rb-hint"].filter((part) => boxOf(part).height > 0);
+        const names = [...document.querySelectorAll(".rb-labels span")].map(({offsetHeight}) => offsetHeight);
+        return {parts, over: parts.filter((part) => boxOf(part).top < bottom || boxOf(part).bottom > boxOf(".rb-transport").top), names,
+          line: boxOf(".rb-timeline").bottom < innerHeight};
+      });
+      const isMany = count > 6;
+      assert.deepEqual({...seen, names: seen.names.filter((name) => name > 24)}, {parts: isMany ? [] : [".rb-ladder", ".rb-legend"], over: [], names: [], line: true},
+        `${count} at ${width}`);
+      assert.equal(seen.names.length, isMany ? 0 : count);
+      if (count !== 2) await page.screenshot({path: path.join(kOutput, `why-${count}-${width}.png`)});
+    }
+  }
   assert.deepEqual(problems, []);
   await close();
 });

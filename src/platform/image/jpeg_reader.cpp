@@ -1,12 +1,9 @@
-#include <csetjmp>
-#include <cstdio>  // Before jpeglib.h, which needs FILE.
 #include <jerror.h>
-#include <jpeglib.h>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "image/exif.h"
+#include "image/jpeg_guard.h"
 #include "image/picture_decoders.h"
 
 #ifndef LIBJPEG_TURBO_VERSION
@@ -23,19 +20,6 @@ constexpr int kMaxScans = 100;
 constexpr int kExifMarker = JPEG_APP0 + 1;
 constexpr unsigned kLongestMarker = 0xffff;
 
-/// libjpeg's message about a failure, and where to go then; plain memory, over which a longjmp may
-/// pass.
-struct Failure {
-  std::jmp_buf landing;
-  char message[JMSG_LENGTH_MAX] = "";
-};
-
-[[noreturn]] void leave(j_common_ptr jpeg) {
-  auto* failure = static_cast<Failure*>(jpeg->client_data);
-  jpeg->err->format_message(jpeg, failure->message);
-  std::longjmp(failure->landing, 1);
-}
-
 /// Leaves if pixels are missing or damaged, of which libjpeg only warns.
 void leaveIfDamaged(j_common_ptr jpeg, int level) {
   constexpr int kWarning = -1;
@@ -47,25 +31,15 @@ void leaveIfDamaged(j_common_ptr jpeg, int level) {
     case JWRN_JFIF_MAJOR:
       return;
     default:
-      leave(jpeg);
+      leaveJpeg(jpeg);
   }
 }
 
 void leaveAfterManyScans(j_common_ptr jpeg) {
   if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number <= kMaxScans) return;
-  auto* failure = static_cast<Failure*>(jpeg->client_data);
+  auto* failure = static_cast<JpegFailure*>(jpeg->client_data);
   std::snprintf(failure->message, sizeof failure->message, "more than %d scans", kMaxScans);
   std::longjmp(failure->landing, 1);
-}
-
-/// Runs `body`, which calls libjpeg; returns false if libjpeg failed and jumped out of it. `body`
-/// must own nothing: a longjmp over a destructor is undefined.
-template <typename Body>
-bool succeeds(Failure& failure, Body body) {
-  static_assert(std::is_trivially_destructible_v<Body>);
-  if (setjmp(failure.landing) != 0) return false;
-  body();
-  return true;
 }
 
 /// libjpeg's decompressor of a file in memory, which must outlive it.
@@ -73,7 +47,7 @@ class JpegDecoder {
  public:
   explicit JpegDecoder(std::span<const std::uint8_t> bytes) : bytes_(bytes) {
     jpeg_.err = jpeg_std_error(&errors_);
-    errors_.error_exit = leave;
+    errors_.error_exit = leaveJpeg;
     errors_.emit_message = leaveIfDamaged;
     jpeg_.client_data = &failure_;
     progress_.progress_monitor = leaveAfterManyScans;
@@ -83,7 +57,7 @@ class JpegDecoder {
   ~JpegDecoder() { jpeg_destroy_decompress(&jpeg_); }
 
   bool readHeader() {
-    return succeeds(failure_, [this] {
+    return jpegSucceeds(failure_, [this] {
       jpeg_create_decompress(&jpeg_);
       jpeg_.progress = &progress_;
       jpeg_save_markers(&jpeg_, kExifMarker, kLongestMarker);
@@ -111,7 +85,7 @@ class JpegDecoder {
 
   /// `picture` is Rgb8 and of the header's size.
   bool readPixels(Image& picture) {
-    return succeeds(failure_, [this, &picture] {
+    return jpegSucceeds(failure_, [this, &picture] {
       // Integers alone: the floating-point transform gives other pixels on other machines
       // (libjpeg-turbo's libjpeg.txt). Its vector code and its plain code give equal ones.
       jpeg_.dct_method = JDCT_ISLOW;
@@ -131,7 +105,7 @@ class JpegDecoder {
 
  private:
   std::span<const std::uint8_t> bytes_;
-  Failure failure_{};
+  JpegFailure failure_{};
   jpeg_error_mgr errors_{};
   jpeg_progress_mgr progress_{};
   jpeg_decompress_struct jpeg_{};

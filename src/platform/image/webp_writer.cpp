@@ -9,7 +9,8 @@
 namespace rotatebook::image {
 namespace {
 
-using Bytes = std::unique_ptr<std::uint8_t, decltype([](std::uint8_t* bytes) { WebPFree(bytes); })>;
+using WebpBytes =
+    std::unique_ptr<std::uint8_t, decltype([](std::uint8_t* bytes) { WebPFree(bytes); })>;
 
 }  // namespace
 
@@ -19,7 +20,7 @@ std::string webpText(ImageView picture, float quality) {
   std::uint8_t* encoded = nullptr;
   const std::size_t size = encode(picture.row(0), picture.width, picture.height,
                                   static_cast<int>(picture.stride), quality, &encoded);
-  const Bytes bytes(encoded);
+  const WebpBytes bytes(encoded);
   if (size == 0) throw MachineError("libwebp can't encode a picture");
   return {reinterpret_cast<const char*>(bytes.get()), size};
 }

@@ -14,6 +14,9 @@ image::Image builtinSpine() {
 image::Image builtinBack() {
   return image::decodePng(backPng(), "built-in back cover");
 }
+image::Image builtinPaper() {
+  return image::decodePng(paperPng(), "built-in paper");
+}
 
 image::Image plainCloth(const Rgb& colour) {
   image::Image pixel(1, 1, image::PixelFormat::Rgb8);

@@ -16,6 +16,8 @@ struct BookTextures {
 image::Image builtinFront();
 image::Image builtinSpine();
 image::Image builtinBack();
+/// Returns the edges of leaves, which repeat across and down.
+image::Image builtinPaper();
 /// Returns the picture of a side of plain cloth.
 image::Image plainCloth(const Rgb& colour);
 

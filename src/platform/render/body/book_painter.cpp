@@ -1,7 +1,6 @@
 #include "render/body/book_painter.h"
 
 #include "embedded/render.h"
-#include "image/png_file.h"
 #include "render/body/test_pattern.h"
 
 namespace rotatebook::render {
@@ -24,7 +23,7 @@ BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail deta
       front_(textures.front.view(), kClamped),
       spine_(textures.spine.view(), kClamped),
       back_(textures.back.view(), kClamped),
-      paper_(image::decodePng(paperPng(), "built-in paper").view(), kRepeated) {}
+      paper_(builtinPaper().view(), kRepeated) {}
 
 void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
   drawParts(drawn, eye, {front_, spine_, back_, paper_});

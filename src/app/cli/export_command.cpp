@@ -1,0 +1,113 @@
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/input_guard.h"
+#include "cli/scene_options.h"
+#include "interchange/motion_glb.h"
+#include "system/atomic_file.h"
+#include "system/read_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct ExportArguments {
+  std::string scene, output, panel;
+  SceneOptions sceneOptions;
+  interchange::GlbOptions glb;
+};
+
+/// Returns the index of the panel with that label, or else of that number, from 1; the first one's
+/// if none is named.
+std::size_t panelOf(const scene::Scene& scene, const std::string& name) {
+  if (name.empty()) return 0;
+  if (!scene.hasPanels())
+    throw InputError(fmt::format("--panel {}: {} has no panels; leave it out", name, scene.name));
+  const std::vector<scene::Panel>& panels = scene.motions;
+  std::string labels;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (panels[i].label == name) return i;
+    labels += (i == 0 ? "" : ", ") + quotedText(panels[i].label);
+  }
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (std::to_string(i + 1) == name) return i;
+  }
+  throw InputError(
+      fmt::format("--panel {}: {} has no such panel; take one of {}, or a number from "
+                  "1 to {}",
+                  oneLine(name), scene.name, labels, panels.size()));
+}
+
+/// Throws InputError if there is something at `path` that no export left.
+void requireAbsentOrExported(const std::filesystem::path& path) {
+  constexpr std::size_t kHeaders = 20;  // Of the file and of its document.
+  const std::string bytes = system::readFileOrEmpty(path);
+  const bool isExported =
+      bytes.size() > kHeaders &&
+      bytes.compare(kHeaders, std::string_view(interchange::kGlbBeginning).size(),
+                    interchange::kGlbBeginning) == 0;
+  if (!isExported) requireAbsent(path);
+}
+
+int exportScene(const ExportArguments& arguments) {
+  const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  const std::size_t panel = panelOf(scene, arguments.panel);
+  if (arguments.output.empty()) refuseSameNames({scene});
+  const std::string output = arguments.output.empty() ? scene.name + ".glb" : arguments.output;
+  refuseInputs(output, inputsOf(arguments.scene, scene));
+  requireEnding(output, ".glb");
+  requireAbsentOrExported(output);
+  const interchange::MotionGlb glb = interchange::motionGlb(scene, panel, arguments.glb);
+  std::error_code ignored;
+  const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
+  system::writeFileAtomically(output, glb.bytes);
+  const std::string& label = scene.motions[panel].label;
+  std::cout << fmt::format(
+      "{}: wrote {}, {} KB: {}{} keys in {} s, at most {} degrees off between them\n", scene.name,
+      oneLine(output), (glb.bytes.size() + 999) / 1000, label.empty() ? "" : oneLine(label) + ", ",
+      glb.keys, roundedText(glb.seconds, 4), roundedText(glb.errorDeg, 2));
+  for (const std::string& note : glb.notes) std::cerr << "note: " << note << '\n';
+  if (replaces) std::cerr << "note: replaced " << oneLine(output) << '\n';
+  return kDone;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& program, Action& action) {
+  constexpr int kMaxKeys = 1000;
+  auto [command, arguments] = addCommand(
+      program, action, "export",
+      "Write a motion as an animated GLB, for other programs; needs no graphics", exportScene);
+  command.add_option("SCENE", arguments.scene, "Scene file")->required();
+  addOption(command, "-o,--output", "FILE", arguments.output,
+            "GLB to write; by default NAME.glb, in the folder where you are");
+  addOption(command, "--panel", "LABEL|NUMBER", arguments.panel,
+            "Panel to write, by its label or counted from 1; by default the first");
+  addOption(command, "--keys", "N", arguments.glb.keysPerSecond, "Keys a second of the video")
+      ->check(CLI::Range(1, kMaxKeys))
+      ->capture_default_str();
+  command.add_flag("--tangents", arguments.glb.tangents,
+                   "CUBICSPLINE keys with exact tangents, in place of LINEAR ones");
+  arguments.sceneOptions.addTo(command, /*draws=*/false);
+  command.footer(R"(
+The file holds the body with its materials, its turning in the world by the video's clock, and the
+scene's camera. With --tangents a few keys are enough, but some programs, as Blender, drop tangents.
+
+Examples:
+  rotatebook export scenes/starter.toml
+  rotatebook export scenes/starter.toml -o book.glb --keys 15 --tangents
+  rotatebook export scenes/comparisons/axes.toml --panel 2)");
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,31 @@
+// The turning of a body as keys of an animation. Inside the room only.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "interchange/motion_glb.h"
+#include "scene/scene.h"
+
+namespace rotatebook::interchange {
+
+/// A moment of an animation.
+struct Key {
+  double time = 0;                          ///< Of the video. [s]
+  Eigen::Quaterniond attitude{1, 0, 0, 0};  ///< World from body; its sign is continuous.
+  Eigen::Quaterniond tangent{0, 0, 0, 0};   ///< Its derivative by the video's time. [1/s]
+};
+
+/// An animation, from the clip's first frame to its last.
+struct Turning {
+  std::vector<Key> keys;  ///< In the order of time; one or more, the first at 0.
+  double errorDeg = 0;    ///< The most that it is off the motion halfway between two keys.
+};
+
+/// Returns the turning of the scene's only motion in `frames` >= 1 frames. Halfway between keys,
+/// the attitude is measured as viewers interpolate it.
+Turning turningOf(const scene::Scene& scene, std::int64_t frames, const GlbOptions& options);
+
+}  // namespace rotatebook::interchange

@@ -90,9 +90,9 @@ Materials addMaterials(const render::SurfaceLook& look, const geometry::Mesh& me
     const std::string& file = look.surface.images[i];
     const bool isWebp = file.starts_with("RIFF");  // which glTF itself doesn't have
     if (!textures[i])
-      textures[i] = addTexture(
-          isWebp ? image::PngWriter(true).encode(look.images[i].view(), "a picture") : file,
-          look.surface.samplings[i], glb);
+      textures[i] =
+          addTexture(isWebp ? image::PngWriter().encode(look.images[i].view(), "a picture") : file,
+                     look.surface.samplings[i], glb);
     return Json{{"index", *textures[i]}};
   };
   Materials numbers(look.surface.materials.size());

@@ -212,7 +212,8 @@ class BookView {
   }
 
   /**
-   * Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, sky, backdrop}, in the order of setBodies().
+   * Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, ground: of its
+   * backdrop, if that is another, cage, matrix, eye, sky, backdrop}, in the order of setBodies().
    * What is behind them stays on the canvas, but where they were in the last picture.
    */
   draw(books) {
@@ -235,7 +236,7 @@ class BookView {
   }
 
   #drawGround(books) {
-    const gl = this.gl, ground = JSON.stringify([this.isLight, books.map(({area, plain, backdrop, sky}) => [area, plain, backdrop, [...sky]])]);
+    const gl = this.gl, ground = JSON.stringify([this.isLight, books.map(({area, ground, plain, backdrop, sky}) => [area, ground, plain, backdrop, [...sky]])]);
     const isSame = ground === this.ground;
     this.ground = ground;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
@@ -244,18 +245,20 @@ class BookView {
       gl.clearColor(...wall.map((part) => (this.isLight && !plain ? 1 - kLightShare * part : part)), 1);
       gl.clear(gl.COLOR_BUFFER_BIT);
     }
-    books.forEach((book, i) => this.#clear(book, isSame ? this.boxes[i] : book.area));
+    books.forEach((book, i) => this.#clear(book, isSame ? this.boxes[i] : book.ground ?? book.area));
   }
 
-  /** Draws what is behind a book in a part of its area. */
-  #clear({area, plain, backdrop, sky}, {x, y, width, height}) {
+  /** Draws a part of what is behind a book; then what is drawn is in its area. */
+  #clear({area, ground = area, plain, backdrop, sky}, {x, y, width, height}) {
     const gl = this.gl, bottom = this.canvas.height;
+    const drawIn = (place) => gl.viewport(place.x, bottom - place.y - place.height, place.width, place.height);
     gl.enable(gl.SCISSOR_TEST);
-    gl.viewport(area.x, bottom - area.y - area.height, area.width, area.height);
+    drawIn(ground);
     gl.scissor(x, bottom - y - height, width, height);
     gl.clearColor(...(plain ?? [0, 0, 0]), 1);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    if (!plain) this.#drawBackdrop(this.backdrops[backdrop] ?? this.backdrops.studio, area.width, area.height, sky);
+    if (!plain) this.#drawBackdrop(this.backdrops[backdrop] ?? this.backdrops.studio, ground.width, ground.height, sky);
+    drawIn(area);
   }
 
   #drawBackdrop(shaders, width, height, sky) {

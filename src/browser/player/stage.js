@@ -147,10 +147,11 @@ class Stage {
 
   #book(i, frame, area, state) {
     // A scene's angle is from bottom to top; an upright picture is narrower than that.
-    const narrow = state.read.motions.length === 1 ? Math.max(area.height / area.width, 1) : 1;
+    const isAlone = state.read.motions.length === 1, narrow = isAlone ? Math.max(area.height / area.width, 1) : 1;
+    const {width, height} = this.picture, ground = isAlone ? {x: 0, y: 0, width, height} : area;
     const orbit = {...state.orbit, distance: state.orbit.distance * narrow};
     const sample = state.hand.seen(i, this.core.sample(kPlayed, i, frame));
-    return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
+    return {area, ground, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
       ...this.#settled(i, frame / state.clock.rate, sample, this.core.camera(kPlayed, i, frame, area.width, area.height, orbit)),
       ...this.#background(state.scene.explicit.look?.background ?? "studio")};
   }

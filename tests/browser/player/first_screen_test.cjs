@@ -70,6 +70,17 @@ const hiddenOf = (page) => page.evaluate(() => {
   return {ink, edge, why};
 });
 
+/** How far the wall's brightness changes where a book's part of the picture begins. [of 255] */
+const seamOf = (page) => page.evaluate(() => {
+  const {player} = rotatebook, {drawing} = player, copy = document.createElement("canvas").getContext("2d", {willReadFrequently: true});
+  drawing.draw(player.frame, player);
+  Object.assign(copy.canvas, {width: drawing.picture.width, height: drawing.picture.height});
+  copy.drawImage(drawing.picture, 0, 0);
+  const {x, y, width} = drawing.books[0].area;
+  const [above, below] = [y - 1, y].map((row) => copy.getImageData(x + width * 0.3, row, 1, 1).data);
+  return Math.max(...[0, 1, 2].map((part) => Math.abs(above[part] - below[part])));
+});
+
 const kNothing = {ink: 0, edge: 0, why: []};
 
 async function checkTour(page, picture) {
@@ -131,6 +142,8 @@ for (const language of ["en", "de"]) {
         const {faults, count, scrolled} = await faultsOf(page);
         assert.deepEqual([faults, count, scrolled], [[], 15, 0], `${width}`);
         assert.deepEqual(await hiddenOf(page), kNothing, `${width}`);
+        const seam = await seamOf(page);
+        assert.ok(seam <= 2, `${seam} at ${width}`);  // Measured 0 and 1; 8 to 14 where the wall began there, too.
         if (width === 768) await page.screenshot({path: path.join(kOutput, `between-${language}${hash.slice(1)}.png`)});
       }
       assert.deepEqual(problems, []);

@@ -1,6 +1,7 @@
 #include "interchange/motion_glb.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <string>
@@ -16,7 +17,6 @@
 #include "geometry/camera.h"
 #include "interchange/glb_body.h"
 #include "interchange/glb_file.h"
-#include "interchange/turning.h"
 #include "scene/reference_frame.h"
 #include "scene/scene_text.h"
 #include "scene/source_locations.h"
@@ -145,6 +145,21 @@ void refuseOthers(const scene::Scene& scene, const scene::Panel& motion) {
            "motion, by the model \"quaternion\" or \"exact\", or another panel, with --panel");
 }
 
+/// Throws InputError for a motion whose steps stretch the body, as those of a matrix or a
+/// quaternion that isn't normalised do.
+void refuseStretched(const scene::Scene& scene, const std::vector<physics::Sample>& samples) {
+  constexpr double kSeen = 0.01;
+  double most = 0;
+  for (const physics::Sample& sample : samples)
+    most = std::max({most, sample.stretchMax - 1, 1 - sample.stretchMin});
+  if (!(most > kSeen)) return;
+  throw InputError(fmt::format(
+      "{}: the motion's errors stretch or shrink the body by up to {:.0f} %, and a GLB has "
+      "a rigid one; set "
+      "simulation.normalize, or export another model or panel",
+      locationOf(scene, "simulation.model"), std::ceil(100 * most)));
+}
+
 std::vector<std::string> notesOn(const scene::Scene& scene, const physics::Trajectory& motion,
                                  const Turning& turning) {
   constexpr double kCoarseDeg = 1;
@@ -172,6 +187,7 @@ MotionGlb motionGlb(const scene::Scene& scene, std::size_t motion, const GlbOpti
   const timeline::ClipMotion clip = timeline::simulateScene(scene);
   const physics::Trajectory& trajectory = clip.trajectories()[motion];
   const std::vector<physics::Sample>& samples = trajectory.samples;
+  refuseStretched(scene, samples);
   const Turning turning = turningOf(alone, std::ssize(samples), options);
 
   Json extras{{"scene", scene::sceneText(scene)}};

@@ -5,17 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "interchange/turning.h"
 #include "scene/scene.h"
 
 namespace rotatebook::interchange {
-
-/// The keys of an animation.
-struct GlbOptions {
-  int keysPerSecond = 60;  ///< Of the video. [1 to 1000]
-  /// Writes CUBICSPLINE, with the tangents that follow from the angular velocity, in place of
-  /// LINEAR, which is what all programs read.
-  bool tangents = false;
-};
 
 /// An animated file, and what is to be said of it.
 struct MotionGlb {
@@ -33,7 +26,8 @@ inline constexpr const char* kGlbBeginning = R"({"asset":{"generator":"rotateboo
 /// world at the video's times, and the scene's camera, whose moves are an animation, too. All of
 /// the body is bound to one joint, as some programs play nothing else. `asset.extras` has the
 /// scene's text, the panel, and the checksum of the clip's motions. Throws InputError for a grid, a
-/// map, and a body that deforms; else as timeline::simulateScene() and picture::loadLooks() do.
+/// map, and a body that deforms, as by steps that stretch it; else as timeline::simulateScene() and
+/// picture::loadLooks() do.
 MotionGlb motionGlb(const scene::Scene& scene, std::size_t motion, const GlbOptions& options);
 
 }  // namespace rotatebook::interchange

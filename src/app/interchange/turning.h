@@ -6,10 +6,17 @@
 
 #include <Eigen/Geometry>
 
-#include "interchange/motion_glb.h"
 #include "scene/scene.h"
 
 namespace rotatebook::interchange {
+
+/// The keys of an animation.
+struct GlbOptions {
+  int keysPerSecond = 60;  ///< Of the video. [1 to 1000]
+  /// Writes CUBICSPLINE, with the tangents that follow from the angular velocity, in place of
+  /// LINEAR, which is what all programs read.
+  bool tangents = false;
+};
 
 /// A moment of an animation.
 struct Key {

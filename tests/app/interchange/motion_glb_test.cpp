@@ -246,6 +246,13 @@ TEST(MotionGlb, IsRefusedWhereABodyDeformsOrThereAreManyMotions) {
   EXPECT_THAT(refusalOf(particles), HasSubstr("deforms the body"));
   EXPECT_THAT(refusalOf(sceneOf("grid.columns = { key = \"body.mass\", values = [1, 2] }\n")),
               HasSubstr("grid has many"));
+  scene::Scene stretched = sceneOf();
+  physics::SimulationSettings& steps = stretched.motions.front().simulation;
+  steps.model = physics::Model::Matrix;
+  steps.integrator = physics::Integrator::Euler;
+  steps.normalizeEvery = 0;
+  steps.substeps = 10;
+  EXPECT_THAT(refusalOf(stretched), HasSubstr("stretch or shrink the body by up to"));
 }
 
 TEST(MotionGlb, SaysThatItsKeysAreTooFew) {

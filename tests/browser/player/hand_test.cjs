@@ -10,9 +10,10 @@ const {turnOfHand} = playerScripts(["hand"], ["turnOfHand"]);
 before(() => startBrowser());
 after(closeBrowser);
 
+/** Of the page: the middle of the book, which isn’t that of the picture, and a place beside it. */
 async function stageOf(page) {
-  const box = await page.locator(".rb-stage").boundingBox();
-  return {middle: [box.x + box.width / 2, box.y + box.height / 2], corner: [box.x + 20, box.y + box.height - 20]};
+  const box = await page.locator(".rb-stage").boundingBox(), [x, y] = await page.evaluate(() => rotatebook.player.drawing.middleOfBook(0));
+  return {middle: [box.x + x, box.y + y], corner: [box.x + 20, box.y + box.height - 20]};
 }
 
 async function drag(page, [x, y], [dx, dy]) {

@@ -35,6 +35,11 @@ void append(const Eigen::Ref<const Eigen::VectorXd>& values, std::vector<float>&
   for (const double value : values) numbers.push_back(static_cast<float>(value));
 }
 
+/// Returns [x, y, z, w].
+Json quaternionJson(const Quaterniond& q) {
+  return Json::array({q.x(), q.y(), q.z(), q.w()});
+}
+
 /// The channels of an animation.
 struct Channels {
   Json samplers = Json::array(), channels = Json::array();
@@ -106,11 +111,10 @@ std::size_t addCamera(const scene::Scene& scene, const WorldCamera& camera,
                             {"yfov", first.fieldOfViewDeg * std::numbers::pi / 180},
                             {"znear", kNear * (first.position - first.target).norm()}}}});
   const CameraPlace place = camera.placeAt(0, start);
-  const Eigen::Vector4d& q = place.attitude.coeffs();
   return glb.add("nodes", {{"name", "camera"},
                            {"camera", number},
                            {"translation", vectorJson(place.position)},
-                           {"rotation", {q[0], q[1], q[2], q[3]}}});
+                           {"rotation", quaternionJson(place.attitude)}});
 }
 
 /// Adds a key for each of the motion's frames.
@@ -196,9 +200,8 @@ MotionGlb motionGlb(const scene::Scene& scene, std::size_t motion, const GlbOpti
   GlbFile glb(Json{{"generator", std::string("rotatebook ") + kVersion},
                    {"version", "2.0"},
                    {"extras", std::move(extras)}});
-  const Eigen::Vector4d& q = turning.keys.front().attitude.coeffs();
-  const std::size_t joint =
-      glb.add("nodes", {{"name", "turning"}, {"rotation", {q[0], q[1], q[2], q[3]}}});
+  const std::size_t joint = glb.add(
+      "nodes", {{"name", "turning"}, {"rotation", quaternionJson(turning.keys.front().attitude)}});
   const std::size_t skin = glb.add("skins", {{"joints", {joint}}});
   const std::size_t body =
       glb.add("nodes", {{"name", "body"}, {"mesh", addBody(alone, glb)}, {"skin", skin}});

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "page/figure.h"
 #include "page/result_json.h"
 #include "scene/poster_frame.h"
@@ -54,7 +53,7 @@ void keepPlotted(Json& motions) {
     for (Json& member : motion) {
       if (!member.is_array()) continue;
       for (Json& value : member) {
-        if (value.is_number_float()) value = Json::parse(roundedText(value.get<double>(), kDigits));
+        if (value.is_number_float()) value = roundedJson(value.get<double>(), kDigits);
       }
     }
   }

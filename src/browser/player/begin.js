@@ -41,12 +41,8 @@ async function playHash(player) {
     problem = error.message;
   }
   if (location.hash !== hash) return false;
-  if (text === null) {
-    if (player.tour.isOn) player.tour.leave();
-  } else if (!player.load(text, {isPlaying: player.mayMove})) {
-    problem = `${player.announcer.message.textContent}.`;
-    player.announcer.show("");
-  }
+  if (text !== null) player.load(text, {isPlaying: player.mayMove, refused: (words) => { problem = `${words}.`; }});
+  else if (player.tour.isOn) player.tour.leave();
   const {title = ""} = player.scene.tree;
   if (problem) player.outcome.say(title ? `${problem} ${say("Shown instead: {title}.", {title})}` : problem);
   return text !== null || problem !== "";

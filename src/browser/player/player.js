@@ -90,19 +90,20 @@ class Player {
 
   /**
    * Plays a scene's text from its beginning, or a frame; the last good scene stays if it is none. Returns whether it is played. `origin`: as of
-   * Loaded.take(); `file`: the name of the file that it is in.
+   * Loaded.take(); `file`: the name of the file that it is in; `refused`: takes the words of a refusal, which
+   * are else a message.
    */
-  load(text, {frame = 0, isPlaying = true, record = null, isQuestion = false, isStep = false, origin = null, file = ""} = {}) {
+  load(text, {frame = 0, isPlaying = true, record = null, isQuestion = false, isStep = false, origin = null, file = "", refused} = {}) {
     try {
       const tree = this.core.treeOf(text);
-      if (!this.#play(tree, text, {frame, isPlaying, record, isQuestion, file})) return false;
+      if (!this.#play(tree, text, {frame, isPlaying, record, isQuestion, file, refused})) return false;
       if (!isStep) this.tour.forget();
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
       if (!isQuestion && !isStep) this.loaded.take(text, record, origin);
       this.loaded.show();
       return true;
     } catch (error) {
-      this.#refuse(error, file);
+      this.#refuse(error, file, refused);
       return false;
     }
   }
@@ -120,19 +121,19 @@ class Player {
   /** As above, of what is seen of the same motion. */
   see(tree) { return this.apply(tree, {isMotion: false}); }
 
-  #refuse(error, file) {
+  #refuse(error, file, refused = (words) => this.announcer.show(words, "bad")) {
     if (!(error instanceof SceneError)) throw error;
-    this.announcer.show(refusalOf(error.message, file), "bad");
+    refused(refusalOf(error.message, file));
     this.controls?.refresh();
   }
 
   /** `record`: of the clip whose motion this is said to be. */
-  #play(tree, text, {frame, isPlaying, isMotion = true, record = null, isQuestion = false, file = ""}) {
+  #play(tree, text, {frame, isPlaying, isMotion = true, record = null, isQuestion = false, file = "", refused}) {
     let read;
     try {
       read = this.core.read(kPlayed, text);
     } catch (error) {
-      this.#refuse(error, file);
+      this.#refuse(error, file, refused);
       return false;
     }
     if (!isQuestion) this.predict.leave();

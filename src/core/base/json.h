@@ -41,6 +41,9 @@ Json matrixJson(const Matrix& matrix) {
       {vectorJson(matrix.row(0)), vectorJson(matrix.row(1)), vectorJson(matrix.row(2))});
 }
 
+/// Returns `value` rounded to `digits` significant digits, 1 to 17; null unless it is finite.
+Json roundedJson(double value, int digits);
+
 /// Returns `json` on one line. Numbers read back as what they are, or are null unless they are
 /// finite; bytes that aren't UTF-8 become U+FFFD.
 std::string jsonText(const Json& json);

@@ -1,12 +1,9 @@
 #include "timeline/clip_json.h"
 
-#include <cmath>
 #include <cstdint>
 #include <set>
 
 #include "base/json.h"
-#include "base/number_text.h"
-#include "base/parsed_number.h"
 #include "base/text.h"
 #include "scene/names.h"
 #include "timeline/clip_events.h"
@@ -20,20 +17,17 @@ using physics::Sample;
 // More wouldn't show in a plot of any size.
 constexpr int kPlotDigits = 6;
 
-double rounded(double number) {
-  return std::isfinite(number) ? *parsedNumber<double>(roundedText(number, kPlotDigits)) : number;
-}
-
 /// Returns an array of one number for each sample.
 template <typename Value>
 Json numbers(const physics::Trajectory& trajectory, const Value& value) {
-  return arrayOf(trajectory.samples, [&](const Sample& sample) { return rounded(value(sample)); });
+  return arrayOf(trajectory.samples,
+                 [&](const Sample& sample) { return roundedJson(value(sample), kPlotDigits); });
 }
 
 Json timesOf(const scene::Scene& scene, std::int64_t frames) {
   Json times = Json::array();
   for (std::int64_t frame = 0; frame < frames; ++frame)
-    times.push_back(rounded(timeAt(scene, static_cast<double>(frame))));
+    times.push_back(roundedJson(timeAt(scene, static_cast<double>(frame)), kPlotDigits));
   return times;
 }
 

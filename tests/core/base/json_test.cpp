@@ -39,6 +39,12 @@ TEST(JsonArray, HoldsWhatIsMadeOfItems) {
   EXPECT_EQ(vectorJson(std::array{1.0, 0.5, 2.0}), Json::array({1.0, 0.5, 2.0}));
 }
 
+TEST(JsonNumber, IsRoundedToSoManyDigits) {
+  EXPECT_EQ(jsonText(roundedJson(2.0 / 3, 6)), "0.666667");
+  EXPECT_EQ(jsonText(roundedJson(1, 6)), "1");
+  EXPECT_EQ(jsonText(roundedJson(std::numeric_limits<double>::infinity(), 6)), "null");
+}
+
 TEST(JsonResult, IsKnownByItsBeginning) {
   const std::string text = jsonText({{"result", "map"}, {"name", "a"}});
   EXPECT_TRUE(isResultOf("map", text));

@@ -14,11 +14,13 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/crash_handler.h"
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
+#include "cli/terminal.h"
 #include "cli/usage.h"
 #include "system/portable_folder.h"
 #include "system/resource_limits.h"
@@ -60,14 +62,21 @@ void refuseEmptyArguments(std::span<char* const> arguments) {
   }
 }
 
-/// Prints help with one empty line between groups, where CLI11 puts two.
+/// Prints help with one empty line between groups, where CLI11 puts two; with whole paragraphs for
+/// a terminal, which wraps them.
 class HelpFormatter : public CLI::Formatter {
  public:
+  explicit HelpFormatter(bool isForTerminal) : isForTerminal_(isForTerminal) {}
+
   std::string make_help(const CLI::App* app, std::string name,
                         CLI::AppFormatMode mode) const override {
     const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
-    return CLI::detail::find_and_replace(help, "\n\n\n", "\n\n");
+    const std::string text = CLI::detail::find_and_replace(help, "\n\n\n", "\n\n");
+    return isForTerminal_ ? withWholeParagraphs(text) : text;
   }
+
+ private:
+  bool isForTerminal_;
 };
 
 /// Returns why `path` can't be the value of --output; empty if it can.
@@ -85,13 +94,31 @@ void checkLastAlone(CLI::Option& option) {
   }
 }
 
+/// Returns why `text` can't be the value of --progress; empty if it can.
+std::string progressProblem(const std::string& text) {
+  if (text == "bar" || text == "json" || text == "none") return "";
+  return "must be bar, json or none, not " + quotedText(text);
+}
+
+/// The options that all commands have.
+struct CommonArguments {
+  bool quiet = false;
+  std::string progress;
+};
+
 /// Adds to each command what all have in common, at the end of its help.
-void addCommonOptions(CLI::App& program, bool& quiet) {
+void addCommonOptions(CLI::App& program, CommonArguments& arguments) {
   constexpr const char* kGroup = "Every command";
   for (CLI::App* command : program.get_subcommands({})) {
     command->set_help_flag();
     command->set_help_flag("-h,--help", "Print this help and exit")->group(kGroup);
-    command->add_flag("-q,--quiet", quiet, "Print only results, and what is wrong")->group(kGroup);
+    command->add_flag("-q,--quiet", arguments.quiet, "Print only results, and what is wrong")
+        ->group(kGroup);
+    addOption(*command, "--progress", "bar|json|none", arguments.progress,
+              "How progress is shown on the standard error: as a bar, or plain lines where there "
+              "is no terminal; as lines of JSON; not at all",
+              kGroup)
+        ->check(progressProblem);
     CLI::Option* output = command->get_option_no_throw("--output");
     if (output != nullptr) output->check(outputProblem);
     for (CLI::Option* option : command->get_options()) {
@@ -100,18 +127,23 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
   }
 }
 
-/// Returns whether `command` was asked for something on the standard output, not for a report.
-bool printsResult(const CLI::App& command) {
-  const std::string& name = command.get_name();
-  for (const char* one : {"list", "info", "judge", "toss", "help", "status"}) {
-    if (name == one) return true;
-  }
+/// Returns whether `command` was asked for text on the standard output that programs read.
+bool printsForPrograms(const CLI::App& command) {
   for (const char* one : {"--json", "--plan", "--dry-run", "--print"}) {
     const CLI::Option* option = command.get_option_no_throw(one);
     if (option != nullptr && option->count() > 0) return true;
   }
   const CLI::Option* csv = command.get_option_no_throw("--csv");
   return csv != nullptr && csv->count() > 0 && csv->results().back() == "-";
+}
+
+/// Returns whether `command` was asked for something on the standard output, not for a report.
+bool printsResult(const CLI::App& command) {
+  const std::string& name = command.get_name();
+  for (const char* one : {"list", "info", "judge", "toss", "help", "status"}) {
+    if (name == one) return true;
+  }
+  return printsForPrograms(command);
 }
 
 /// Holds back what is printed to std::clog and, unless it is the command's result, to std::cout.
@@ -140,7 +172,6 @@ class HeldReports {
 
 /// Does the work of `command` without printing its reports; returns the status.
 int runQuietly(const CLI::App& command, const Action& action) {
-  hideProgress();
   HeldReports held(printsResult(command));
   const int status = action();
   // The reason of another status may be in the report alone, as that of an unmet expectation is.
@@ -148,25 +179,33 @@ int runQuietly(const CLI::App& command, const Action& action) {
   return status;
 }
 
-/// Reads the command line and does what it asks for; returns the status.
-int run(int argc, char** argv) {
+ProgressStyle progressStyleOf(const CommonArguments& arguments) {
+  if (arguments.progress == "json") return ProgressStyle::Json;
+  const bool isNone =
+      arguments.progress == "none" || (arguments.progress.empty() && arguments.quiet);
+  return isNone ? ProgressStyle::None : ProgressStyle::Bar;
+}
+
+/// Reads the command line and does what it asks for; returns the status. `output` is the standard
+/// output's.
+int run(int argc, char** argv, TerminalText& output) {
   CLI::App program(
       "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
       "rotatebook");
-  bool quiet = false;
+  CommonArguments common;
   Action action;
   program.set_help_flag("-h,--help", "Print this help and exit");
   program.set_version_flag("-v,-V,--version", std::string("rotatebook ") + kVersion,
                            "Print the version and exit");
   program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  program.formatter(std::make_shared<HelpFormatter>());
+  program.formatter(std::make_shared<HelpFormatter>(output.isTerminal()));
   program.get_formatter()->label("SUBCOMMAND", "COMMAND");
   program.group("Commands");
   program.require_subcommand(1);
   program.footer(kFooter);
   for (AddCommand* add : kCommands) add(program, action);
-  addCommonOptions(program, quiet);
-  program.add_flag("-q,--quiet", quiet, "Print only results, and what is wrong");
+  addCommonOptions(program, common);
+  program.add_flag("-q,--quiet", common.quiet, "Print only results, and what is wrong");
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -177,7 +216,10 @@ int run(int argc, char** argv) {
     std::cerr << adviceText(program);
     return kWrongInput;
   }
-  return quiet ? runQuietly(*program.get_subcommands().front(), action) : action();
+  const CLI::App& command = *program.get_subcommands().front();
+  setProgressStyle(progressStyleOf(common));
+  if (printsForPrograms(command)) output.leave();
+  return common.quiet ? runQuietly(command, action) : action();
 }
 
 /// Opens each standard stream that the program was started without, as one that can't be read or
@@ -213,11 +255,13 @@ int runProgram(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // If the parent process had it ignored, waitpid() couldn't return the status of our children.
   std::signal(SIGCHLD, SIG_DFL);
+  TerminalText output(std::cout, STDOUT_FILENO), error(std::cerr, STDERR_FILENO),
+      log(std::clog, STDERR_FILENO);
   return endStatus(guarded([&] {
     system::usePortableFolder();
     system::requireStack();
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
-    return afterFlush(run(argc, argv));
+    return afterFlush(run(argc, argv, output));
   }));
 }
 

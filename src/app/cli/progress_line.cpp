@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <iostream>
-#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
 #include <fmt/core.h>
 
+#include "base/json.h"
 #include "base/text.h"
+#include "cli/terminal.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -18,47 +19,60 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr int kBarWidth = 16;
-constexpr std::size_t kUsualColumns = 80;
+constexpr std::size_t kBarWidth = 16, kMinBarWidth = 4, kBarEnds = 3;
 constexpr auto kRateWindow = seconds(4);
 constexpr auto kTerminalInterval = milliseconds(100);
 constexpr auto kPlainInterval = seconds(5);
+constexpr auto kJsonInterval = seconds(1);
 
-bool isHidden = false;
+ProgressStyle style = ProgressStyle::Bar;
 
-std::string bar(std::int64_t done, std::int64_t total) {
-  const auto filled = static_cast<std::size_t>(kBarWidth * done / std::max<std::int64_t>(total, 1));
-  return '[' + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + ']';
+double secondsLeft(std::int64_t done, std::int64_t total, double rate) {
+  return static_cast<double>(total - done) / rate;
 }
 
-/// Returns the terminal's width: a line that wraps couldn't be overwritten.
-std::size_t terminalColumns() {
-  winsize size{};
-  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
-  return known ? size.ws_col : kUsualColumns;
-}
-
-/// Joins label and text in at most `columns`; the label is cut first.
-std::string fitted(const std::string& label, const std::string& text, std::size_t columns) {
-  const std::size_t room = columns > text.size() + 2 ? columns - text.size() - 2 : 0;
-  return (std::string(firstCharacters(label, room)) + "  " + text).substr(0, columns);
+std::string bar(std::int64_t done, std::int64_t total, std::size_t width) {
+  const auto filled = static_cast<std::size_t>(static_cast<std::int64_t>(width) * done /
+                                               std::max<std::int64_t>(total, 1));
+  return '[' + std::string(filled, '#') + std::string(width - filled, '.') + "] ";
 }
 
 }  // namespace
 
-std::string progressText(std::int64_t done, std::int64_t total, double rate,
-                         std::string_view unit) {
+std::string progressText(std::int64_t done, std::int64_t total, double rate, std::string_view unit,
+                         std::size_t columns) {
   const double percent =
       100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
-  const std::string line =
-      fmt::format("{} {:3.0f} %  {}/{} {}", bar(done, total), percent, done, total, unit);
-  if (rate <= 0) return line;
-  return fmt::format("{}, {:.1f} {}/s, {:.0f} s left", line, rate, unit,
-                     static_cast<double>(total - done) / rate);
+  const std::string share = fmt::format("{:3.0f} %", percent);
+  const std::string count = fmt::format("  {}/{} {}", done, total, unit);
+  std::string pace, left;
+  if (rate > 0) {
+    pace = fmt::format(", {:.1f} {}/s", rate, unit);
+    left = fmt::format(", {:.0f} s left", secondsLeft(done, total, rate));
+  }
+  // The time left goes last
+  std::string text = share + count + pace + left;
+  for (const std::string& shorter : {share + count + left, share + left}) {
+    if (text.size() + kMinBarWidth + kBarEnds > columns) text = shorter;
+  }
+  if (text.size() + kMinBarWidth + kBarEnds > columns) return text.substr(0, columns);
+  return bar(done, total, std::min(kBarWidth, columns - kBarEnds - text.size())) + text;
 }
 
-void hideProgress() {
-  isHidden = true;
+std::string progressJson(std::string_view label, std::int64_t done, std::int64_t total, double rate,
+                         std::string_view unit) {
+  constexpr int kDigits = 4;
+  Json object{{"progress", label}, {"done", done},     {"total", total},
+              {"unit", unit},      {"per_s", nullptr}, {"left_s", nullptr}};
+  if (rate > 0) {
+    object["per_s"] = roundedJson(rate, kDigits);
+    object["left_s"] = roundedJson(secondsLeft(done, total, rate), kDigits);
+  }
+  return jsonText(object);
+}
+
+void setProgressStyle(ProgressStyle wanted) {
+  style = wanted;
 }
 
 ProgressLine::ProgressLine(std::string_view label, std::string unit)
@@ -91,19 +105,29 @@ void ProgressLine::clear() {
 }
 
 void ProgressLine::update(std::int64_t done, std::int64_t total) {
-  if (isHidden) return;
+  if (style == ProgressStyle::None) return;
   const Clock::time_point now = Clock::now();
   const double rate = rateAfter({now, done});
-  const bool due = now - lastPrint_ >=
-                   (terminal_ ? milliseconds(kTerminalInterval) : milliseconds(kPlainInterval));
-  if (!due && !(terminal_ && done == total)) return;
+  const bool isJson = style == ProgressStyle::Json, isEnd = done == total;
+  const milliseconds interval = isJson      ? kJsonInterval
+                                : terminal_ ? kTerminalInterval
+                                            : kPlainInterval;
+  const bool isDue = now - lastPrint_ >= interval;
+  if (!isDue && !(isEnd && !ended_ && (terminal_ || isJson))) return;
   lastPrint_ = now;
-  const std::string text = progressText(done, total, rate, unit_);
-  if (terminal_) {
-    std::cerr << '\r' << fitted(label_, text, terminalColumns() - 1) << "\x1b[K" << std::flush;
+  ended_ = isEnd;
+  if (isJson) {
+    std::cerr << progressJson(label_, done, total, rate, unit_) + '\n';
+  } else if (terminal_) {
+    // A line that wraps couldn't be overwritten
+    const std::size_t columns = std::max<std::size_t>(terminalColumns(STDERR_FILENO), 2) - 1;
+    const std::string label = std::string(firstCharacters(label_, columns / 3)) + "  ";
+    const std::string text =
+        progressText(done, total, rate, unit_, columns - std::min(columns, characterCount(label)));
+    std::cerr << '\r' + label + text + "\x1b[K" << std::flush;
     lineOpen_ = true;
   } else {
-    std::cerr << label_ << "  " << text << '\n';
+    std::cerr << label_ + "  " + progressText(done, total, rate, unit_) + '\n';
   }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -11,12 +12,21 @@
 namespace rotatebook::cli {
 
 /// Returns "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left". `rate` is in units a
-/// second, 0 while it isn't known; `unit` is their plural.
+/// second, 0 while it isn't known; `unit` is their plural. In fewer `columns` the bar is shorter,
+/// then the rate goes, the count, the bar, and the time left at last.
 std::string progressText(std::int64_t done, std::int64_t total, double rate,
-                         std::string_view unit = "frames");
+                         std::string_view unit = "frames", std::size_t columns = 1000);
 
-/// Has no progress shown from now on.
-void hideProgress();
+/// Returns the same as a JSON object, without a line end: "progress", which is `label`, "done",
+/// "total", "unit"; "per_s" and "left_s" are null while they aren't known.
+std::string progressJson(std::string_view label, std::int64_t done, std::int64_t total, double rate,
+                         std::string_view unit);
+
+enum class ProgressStyle { Bar, Json, None };
+
+/// Has progress shown so from now on: as a bar, or plain lines elsewhere than on a terminal; as
+/// lines of JSON; or not at all.
+void setProgressStyle(ProgressStyle style);
 
 /// Prints progress to the standard error, with the rate of the last seconds.
 class ProgressLine {
@@ -47,6 +57,7 @@ class ProgressLine {
   std::string unit_;
   bool terminal_;
   bool lineOpen_ = false;
+  bool ended_ = false;  ///< The last line said that all is done.
   std::deque<Update> updates_;
   Clock::time_point lastPrint_;
 };

@@ -33,7 +33,7 @@ struct RenderArguments {
   bool noMp4 = false;
   bool noExpect = false;
   int atATime = 0;
-  bool json = false;
+  ReportStyle style;
   pipeline::RenderOptions options;
 
   Destination destination() const { return destinationOf(outputs, scenes.size()); }
@@ -111,7 +111,7 @@ int render(const RenderArguments& arguments) {
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0 ? arguments.atATime : scenesAtATime(scenes);
   shareRasteriser(std::min(atATime, static_cast<int>(scenes.size())));
-  return reportIfUnmet(renderScenes(scenes, options, atATime, arguments.json));
+  return reportIfUnmet(renderScenes(scenes, options, atATime, arguments.style));
 }
 
 constexpr const char* kRenderFooter = R"(
@@ -172,7 +172,10 @@ void addRenderCommand(CLI::App& program, Action& action) {
             "Scenes to render at a time; by default two, or one for every 3 cores, as many as fit "
             "in a quarter of the memory")
       ->check(CLI::Range(1, 64));
-  command.add_flag("--json", arguments.json, "Print one JSON object: what was made and measured");
+  command.add_flag("--json", arguments.style.json,
+                   "Print one JSON object: what was made and measured");
+  command.add_flag("-v,--verbose", arguments.style.isDetailed,
+                   "Say what draws and encodes, with how many threads");
   arguments.sceneOptions.addTo(command);
   arguments.sceneOptions.addChecksum(command);
   addNoExpect(command, arguments.noExpect);

@@ -93,16 +93,19 @@ void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& o
                  std::ostream& out) {
   const scene::Scene& scene = rendered.scene;
   const pipeline::RenderStart& start = *rendered.start;
-  out << fmt::format(
-      "{}: {}\n  {} at {} frames/s, {} s; renderer {}{}\n"
-      "  threads: 1 draws (a software rasteriser has its own), 1 composes",
-      scene.name, scene.title, sizeText(scene.clip.width, scene.clip.height),
-      scene.clip.frameRate.text(), shortestText(scene.clip.duration), start.renderer,
-      start.encoders.empty() ? "" : "; encoder " + start.encoders);
-  const int png = start.pngThreads, encoders = encoderThreads(scene, options);
-  if (png > 0) out << fmt::format(", {} {} PNGs", png, png == 1 ? "compresses" : "compress");
-  if (encoders > 0) out << fmt::format(", {} {}", encoders, encoders == 1 ? "encodes" : "encode");
-  out << "; cores: " << system::coreCount() << std::endl;
+  out << fmt::format("{}: {}\n  {} at {} frames/s, {} s", scene.name, scene.title,
+                     sizeText(scene.clip.width, scene.clip.height), scene.clip.frameRate.text(),
+                     shortestText(scene.clip.duration));
+  if (rendered.isDetailed) {
+    out << "; renderer " << start.renderer
+        << (start.encoders.empty() ? "" : "; encoder " + start.encoders)
+        << "\n  threads: 1 draws (a software rasteriser has its own), 1 composes";
+    const int png = start.pngThreads, encoders = encoderThreads(scene, options);
+    if (png > 0) out << fmt::format(", {} {} PNGs", png, png == 1 ? "compresses" : "compress");
+    if (encoders > 0) out << fmt::format(", {} {}", encoders, encoders == 1 ? "encodes" : "encode");
+    out << "; cores: " << system::coreCount();
+  }
+  out << std::endl;
 }
 
 void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& options,

@@ -20,11 +20,12 @@ struct RenderedScene {
   std::optional<pipeline::RenderResult> result{};  ///< Nothing after an error, too.
   std::vector<timeline::MotionSummary> motions{};  ///< Empty until all are simulated.
   bool interrupted = false;
-  std::string error{};  ///< Empty if there was none.
+  std::string error{};      ///< Empty if there was none.
+  bool isDetailed = false;  ///< Reports name the renderer and threads.
 };
 
-/// Prints the scene's title, and what draws and encodes with how many threads. `rendered` must have
-/// a start.
+/// Prints the scene's title, and what draws and encodes with how many threads if that is reported.
+/// `rendered` must have a start.
 void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& options,
                  std::ostream& out);
 

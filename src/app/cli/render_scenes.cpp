@@ -241,11 +241,12 @@ int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOp
 }  // namespace
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                 int atATime, bool json) {
+                 int atATime, const ReportStyle& style) {
   std::vector<RenderedScene> rendered;
-  for (const SceneToRender& one : scenes) rendered.push_back({one.scene});
+  for (const SceneToRender& one : scenes)
+    rendered.push_back({.scene = one.scene, .isDetailed = style.isDetailed});
   return reportBatch(
-      json, "scenes", rendered,
+      style.json, "scenes", rendered,
       [&](std::ostream& out) { return renderAll(scenes, options, atATime, out, rendered); },
       [&](const RenderedScene& one) { return renderJson(one, options); });
 }

@@ -21,6 +21,12 @@ struct SceneToRender {
   bool isJudged = true;  ///< True if its expectations are judged.
 };
 
+/// The way in which renders are reported.
+struct ReportStyle {
+  bool json = false;
+  bool isDetailed = false;  ///< RenderedScene::isDetailed
+};
+
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in
 /// their order, or all as one JSON object: reportBatch(). `options.stop` must not be null. Returns
 /// the worst status. After an interrupt it starts no more scenes and returns the interrupt's
@@ -28,7 +34,7 @@ struct SceneToRender {
 /// throws the first error or, of scenes rendered at the same time, reports the errors and returns
 /// the highest of their statuses.
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
-                 int atATime, bool json = false);
+                 int atATime, const ReportStyle& style = {});
 
 struct RerunArguments {
   std::filesystem::path clip, folder;

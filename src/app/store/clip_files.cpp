@@ -1,6 +1,7 @@
 #include "store/clip_files.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <regex>
 #include <string_view>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/parsed_number.h"
+#include "base/text.h"
 #include "timeline/clip_tables.h"
 
 namespace rotatebook::store {
@@ -27,14 +29,26 @@ bool isPartChecksumsName(std::string_view name) {
          name.size() > kChecksumsPrefix.size() + kChecksumsSuffix.size();
 }
 
-/// Returns `label` in lower-case letters, digits and hyphens, which every file system accepts.
+/// Returns whether a letter of UTF-8, which has several bytes, is a mark rather than one of a word:
+/// of Latin-1's signs, or of the general punctuation, arrows and symbols of U+2000 to U+2BFF.
+bool isMark(std::string_view letter) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(letter[i]); };
+  if (letter.size() == 3 && byte(0) == 0xE2) return byte(1) < 0xB0;
+  return letter == "×" || letter == "÷" ||
+         (byte(0) == 0xC2 && letter != "ª" && letter != "µ" && letter != "º");
+}
+
+/// Returns `label` with a hyphen in place of blanks and signs, A to Z small.
 std::string slugOf(const std::string& label) {
   std::string slug;
-  for (const char letter : label) {
-    const bool plain = ('a' <= letter && letter <= 'z') || ('0' <= letter && letter <= '9');
-    const bool capital = 'A' <= letter && letter <= 'Z';
-    if (plain || capital) {
-      slug += static_cast<char>(capital ? letter - 'A' + 'a' : letter);
+  for (std::string_view rest = label; !rest.empty();) {
+    const std::string_view letter = firstCharacters(rest, 1);
+    rest.remove_prefix(letter.size());
+    const bool isAscii = letter.size() == 1;
+    const bool isWord =
+        isAscii ? std::isalnum(static_cast<unsigned char>(letter[0])) != 0 : !isMark(letter);
+    if (isWord) {
+      slug += lowerCase(letter);
     } else if (!slug.empty() && slug.back() != '-') {
       slug += '-';
     }

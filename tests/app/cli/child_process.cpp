@@ -59,10 +59,11 @@ Channel makePipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-Channel makeTerminal() {
+Channel makeTerminal(unsigned short columns = 0) {
   int master = -1;
   int slave = -1;
-  if (openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) fail("openpty");
+  const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+  if (openpty(&master, &slave, nullptr, nullptr, &size) != 0) fail("openpty");
   Channel channel{Descriptor(master), Descriptor(slave)};
   fcntl(master, F_SETFD, FD_CLOEXEC);
   fcntl(slave, F_SETFD, FD_CLOEXEC);
@@ -181,7 +182,7 @@ std::string whyNoTerminal() {
 ChildResult runChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const ChildSettings& settings) {
   Channel output = settings.outputFile.empty() ? makePipe() : openFile(settings.outputFile);
-  Channel error = settings.terminal ? makeTerminal() : makePipe();
+  Channel error = settings.terminal ? makeTerminal(settings.columns) : makePipe();
   Child child(program, arguments, settings, output.write.number(), error.write.number());
   output.write.close();
   error.write.close();

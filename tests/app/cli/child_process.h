@@ -17,6 +17,7 @@ struct ChildSettings {
   std::vector<std::pair<std::string, std::string>> environment{};  ///< Added to ours.
   std::string outputFile{};            ///< Takes its standard output instead of us.
   bool terminal = false;               ///< Its standard error is a pseudo-terminal.
+  unsigned short columns = 0;          ///< Of the terminal; 0 if it doesn't say.
   bool obeysPermissions = false;       ///< A file's mode counts even if the superuser runs it.
   std::vector<int> closed{};           ///< Descriptors that are closed from the start.
   int ignoredSignal = 0;               ///< Ignored from the start.

@@ -34,5 +34,26 @@ TEST(ProgressText, CountsWhateverIsDone) {
             "[####............]  25 %  3/12 runs, 1.5 runs/s, 6 s left");
 }
 
+TEST(ProgressText, ShrinksAndKeepsTheTimeLeft) {
+  const auto in = [](std::size_t columns) {
+    return progressText(126, 300, 38.12, "frames", columns);
+  };
+  EXPECT_EQ(in(66), "[######..........]  42 %  126/300 frames, 38.1 frames/s, 5 s left");
+  EXPECT_EQ(in(60), "[####.......]  42 %  126/300 frames, 38.1 frames/s, 5 s left");
+  EXPECT_EQ(in(49), "[######.........]  42 %  126/300 frames, 5 s left");
+  EXPECT_EQ(in(30), "[#####.......]  42 %, 5 s left");
+  EXPECT_EQ(in(20), " 42 %, 5 s left");
+  EXPECT_EQ(in(5), " 42 %");
+  EXPECT_EQ(in(0), "");
+}
+
+TEST(ProgressText, IsJson) {
+  EXPECT_EQ(progressJson("two \"scenes\"", 126, 300, 38.123456, "frames"),
+            R"({"progress":"two \"scenes\"","done":126,"total":300,"unit":"frames",)"
+            R"("per_s":38.12,"left_s":4.564})");
+  EXPECT_EQ(progressJson("a", 0, 3, 0, "runs"),
+            R"({"progress":"a","done":0,"total":3,"unit":"runs","per_s":null,"left_s":null})");
+}
+
 }  // namespace
 }  // namespace rotatebook::cli

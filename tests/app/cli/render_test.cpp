@@ -103,7 +103,7 @@ TEST_F(RenderCommand, OfPartsOfSeveralScenesDrawsOneOfEach) {
 }
 
 TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
-  const ChildResult result = run({"render", "tiny.toml"});
+  const ChildResult result = run({"render", "tiny.toml", "-v"});
   EXPECT_THAT(
       withoutDistances(result.output),
       AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
@@ -143,13 +143,14 @@ TEST_F(RenderCommand, SaysWhatItKeptOfOtherSettings) {
 }
 
 TEST_F(RenderCommand, MakesTheVideosThatAreAskedFor) {
-  const ChildResult result = run({"render", "tiny.toml", "--no-png", "--format", "webm,gif,apng"});
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "--verbose", "--format", "webm,gif,apng"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.apng", "out/tiny.csv", "out/tiny.gif",
                                    "out/tiny.json", "out/tiny.poster.png", "out/tiny.webm",
                                    "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
   EXPECT_THAT(result.output,
-              AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n"),
+              AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n  threads: "),
                     HasSubstr("  wrote out/tiny.webm, out/tiny.gif, out/tiny.apng, "
                               "out/tiny.csv, out/tiny.json and out/tiny.poster.png\n")));
 }
@@ -208,7 +209,7 @@ TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
   const ChildResult result = run({"render", "tiny.toml", "-o", "a/b", "--size", "96x54", "--set",
                                   "clip.duration=0.1", "--set", "title=Other", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, StartsWith("tiny: Other\n  96x54 at 60 frames/s, 0.1 s;"));
+  EXPECT_THAT(result.output, StartsWith("tiny: Other\n  96x54 at 60 frames/s, 0.1 s\n"));
   const video::testing::DecodedVideo clip = video::testing::decodeVideo(folder() / "a/b/tiny.mp4");
   EXPECT_EQ(clip.width, 96);
   EXPECT_EQ(clip.height, 54);

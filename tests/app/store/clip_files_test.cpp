@@ -34,6 +34,17 @@ TEST(ClipFiles, AreNamedAfterTheScene) {
   EXPECT_EQ(files.csv, "out/book.csv");
 }
 
+TEST(ClipFiles, OfPanelsKeepTheLettersOfLabels) {
+  scene::Scene scene;
+  scene.motions.clear();
+  for (const char* label : {"Größtes Moment", "a/b: \u201cx\u201d \u2192 30\u00b0", "\u2192",
+                            "漢字", "grÖßtes moment!"})
+    scene.motions.emplace_back().label = label;
+  EXPECT_THAT(csvFiles("out/book.csv", scene),
+              ElementsAre("out/book_größtes-moment.csv", "out/book_a-b-x-30.csv", "out/book_3.csv",
+                          "out/book_漢字.csv", "out/book_grÖßtes-moment.csv"));
+}
+
 TEST(ClipPart, IsCountedFromOne) {
   ASSERT_TRUE(parsePart("3/16"));
   EXPECT_EQ(parsePart("3/16")->number, 3);

@@ -12,7 +12,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
+.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check type-check lint textures install portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -186,8 +186,13 @@ format-check:
 	@scripts/setup.sh lint
 	clang-format --dry-run --Werror $$(git ls-files '*.cpp' '*.h')
 
+# Of the Python package.
+type-check:
+	@scripts/setup.sh lint
+	cd python && /usr/bin/mypy --cache-dir ../build/mypy rotatebook
+
 # By the commands of a build that compiles each file by itself.
-lint: format-check
+lint: format-check type-check
 	@$(MAKE) --no-print-directory configure-test PRESET=dev
 	@cmake --build build/dev --target headers_alone
 	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p build/dev \

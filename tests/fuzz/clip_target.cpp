@@ -23,8 +23,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   video::PictureOrder(std::span(bytes, size)).isPlain(std::span(bytes, size), 1);
   video::vp9Picture(std::span(bytes, size), {});
   fuzzing::mayRefuse([&] { video::requireWholeFile(file, "clip"); });
-  rb_clip(static_cast<double>(size));
-  std::memcpy(rb_buffer(), bytes, size);  // One piece, as clip's MAX_LENGTH is smaller.
-  fuzzing::require(rb_record(static_cast<std::int32_t>(size)) != 0);
+  static rb_context* const context = rb_new(0, 0);
+  rb_clip(context, static_cast<double>(size));
+  std::memcpy(rb_buffer(context), bytes, size);  // One piece, as clip's MAX_LENGTH is smaller.
+  fuzzing::require(rb_record(context, static_cast<std::int32_t>(size)) != 0);
   return 0;
 }

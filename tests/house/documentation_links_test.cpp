@@ -89,8 +89,8 @@ const std::set<std::string> kNotShipped{"diff.png", "my.toml", "scene.toml"};
 /// Returns the files and folders of the repository, each as "/PATH".
 std::vector<std::string> shippedPaths() {
   std::vector<std::string> paths;
-  for (const char* top : {"assets", "bench", "cmake", "docs", "examples", "scenes", "scripts",
-                          "shaders", "src", "tests"}) {
+  for (const char* top : {"assets", "bench", "cmake", "docs", "examples", "python", "scenes",
+                          "scripts", "shaders", "src", "tests"}) {
     paths.push_back(std::string("/") + top);
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
       paths.push_back('/' + entry.path().lexically_relative(kRoot).string());
@@ -103,7 +103,7 @@ std::vector<std::string> shippedPaths() {
 /// slash or as sources do, or begins with one of the folders. NAME and the like are placeholders.
 bool namesShippedFile(const std::string& span) {
   static const std::regex kName(
-      R"((assets|bench|cmake|docs|examples|scenes|scripts|shaders|src|tests)/[\w./-]+|)"
+      R"((assets|bench|cmake|docs|examples|python|scenes|scripts|shaders|src|tests)/[\w./-]+|)"
       R"([\w./-]+(/|\.(c?js|cpp|frag|h|html|inc|md|png|py|sh|svg|toml|txt|vert|webp)))");
   static const std::regex kPlaceholder(R"((.*/)?[A-Z]{4,}([/_.-].*)?)");
   static const std::regex kMade("(out|build)/.*|/.*");

@@ -85,9 +85,10 @@ struct NotRun {
   std::string_view reason;
 };
 
-constexpr std::array<NotRun, 5> kNotRun{{
+constexpr std::array<NotRun, 6> kNotRun{{
     {"git clone ADDRESS ", "needs the address of the project, and a network"},
     {"export PATH=", "would find another build; the test sets its own"},
+    {"pip install ./python", "is done by tests/python, in an environment of its own"},
     {"rotatebook submit render my.toml -o clips --slurm", "needs a cluster; tests/slurm has one"},
     {"rotatebook status clips", "shows what that command has sent"},
     {"img2webp ", "is no program of this project, nor a package that it installs"},

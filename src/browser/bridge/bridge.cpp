@@ -4,24 +4,14 @@
 #include <array>
 #include <cstddef>
 #include <exception>
-#include <filesystem>
-#include <map>
-#include <optional>
-#include <stdexcept>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "base/checksum.h"
 #include "base/document/toml_json.h"
-#include "base/error.h"
-#include "bridge/body_mesh.h"
-#include "bridge/played_scene.h"
-#include "bridge/record_search.h"
+#include "bridge/context.h"
 #include "bridge/recordings.h"
 #include "bridge/scene_json.h"
-#include "bridge/why_numbers.h"
 #include "geometry/book_mesh.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
@@ -30,78 +20,8 @@
 namespace rotatebook::bridge {
 namespace {
 
-constexpr std::size_t kBufferSize = 1 << 20;
 // The depth that is seen around the body, where the arrows of a spin are: in sizes of the body.
 constexpr double kDepthAround = 6;
-
-alignas(16) std::array<char, kBufferSize> buffer;
-std::array<std::optional<PlayedScene>, kSlots> slots;
-std::map<std::pair<std::int32_t, std::int32_t>, PlayedForces> playedForces;  // by slot and motion
-std::string lastMessage;
-std::map<std::string, std::string> files;  // by name
-RecordSearch search{0};
-
-/// Copies `text` to the buffer as far as there is room; returns its length.
-std::int32_t answer(std::string_view text) {
-  const std::size_t length = std::min(text.size(), buffer.size());
-  std::copy_n(text.begin(), length, buffer.begin());
-  return static_cast<std::int32_t>(length);
-}
-
-/// Answers with the text that `make` returns, or else with the message of what it throws.
-template <typename Make>
-std::int32_t answerOf(const Make& make) {
-  try {
-    return answer(make());
-  } catch (const std::exception& error) {
-    return -std::max(answer(error.what()), 1);
-  }
-}
-
-std::string_view given(std::int32_t length) {
-  const auto most = static_cast<std::int32_t>(buffer.size());
-  return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, most))};
-}
-
-/// Takes a file from the buffer; see rb_file().
-void takeFile(std::int32_t nameLength, std::int32_t length) {
-  if (nameLength == 0 && length == 0) return files.clear();
-  const auto size = static_cast<std::int64_t>(buffer.size());
-  if (nameLength < 0 || length < 0 || std::int64_t{nameLength} + length > size) {
-    throw std::out_of_range("a file of " + std::to_string(length) + " bytes doesn't fit in");
-  }
-  const std::string name(buffer.data(), static_cast<std::size_t>(nameLength));
-  if (files.size() == kMaxFiles && !files.contains(name)) {
-    throw std::out_of_range("there are " + std::to_string(kMaxFiles) + " files already");
-  }
-  files[name].assign(buffer.data() + nameLength, static_cast<std::size_t>(length));
-}
-
-/// Returns the text of a file that was taken.
-std::string takenFile(const std::filesystem::path& file, std::size_t most) {
-  const auto found = files.find(file.generic_string());
-  if (found == files.end()) throw InputError("can't read " + file.string() + ": it isn't here");
-  if (found->second.size() <= most) return found->second;
-  throw InputError("can't read " + file.string() + ": it is longer than " + std::to_string(most) +
-                   " bytes");
-}
-
-/// Reads a scene with the files that were taken, if there are any.
-scene::Scene sceneFrom(std::string_view text) {
-  if (files.empty()) return scene::parseScene(text, "scene.toml");
-  return scene::parseScene(text, "scene.toml", {}, takenFile);
-}
-
-std::optional<PlayedScene>& slotAt(std::int32_t slot) {
-  if (slot >= 0 && slot < kSlots) return slots[static_cast<std::size_t>(slot)];
-  throw std::out_of_range("there is no slot " + std::to_string(slot));
-}
-
-PlayedScene& in(std::int32_t slot) {
-  std::optional<PlayedScene>& held = slotAt(slot);
-  if (!held) throw std::out_of_range("slot " + std::to_string(slot) + " holds no scene");
-  return *held;
-}
 
 /// Returns what `make` returns, or `otherwise` if it throws.
 template <typename Value, typename Make>
@@ -117,26 +37,6 @@ Value valueOr(Value otherwise, const Make& make) {
 int pixels(float side) {
   constexpr float kMaxSide = 65'536;
   return side >= 1 ? static_cast<int>(std::min(side, kMaxSide)) : 1;
-}
-
-const timeline::ClipMotion& wholeIn(std::int32_t slot) {
-  const timeline::ClipMotion* motion = in(slot).whole();
-  if (motion == nullptr) throw std::runtime_error("the motions aren't simulated to their end");
-  return *motion;
-}
-
-BodyMesh lastBody;  // of rb_body()
-
-/// Returns the JSON of a motion's body, which becomes lastBody.
-std::string makeBody(std::int32_t slot, std::int32_t motion) {
-  const std::vector<scene::Panel>& motions = in(slot).scene().motions;
-  const scene::Panel& panel = motions.at(static_cast<std::size_t>(motion));
-  if (panel.solid.isBook()) return "null";
-  lastBody = bodyMeshOf(panel, [](const std::string& name) {
-    const auto found = files.find(name);
-    return found == files.end() ? nullptr : &found->second;
-  });
-  return lastBody.json;
 }
 
 std::array<double, kSampleNumbers> numbersOf(const physics::Sample& sample, bool isHeld) {
@@ -170,155 +70,133 @@ Eigen::Matrix4d skyOf(const PlayedScene& played, std::size_t motion, std::int32_
                                   played.frameOf(motion).fromWorld(sample).transpose());
 }
 
-/// Returns the address of the numbers that `make` returns, and how many there are.
-template <typename Make>
-const double* numbersFor(std::int32_t* count, const Make& make) {
-  static std::vector<double> numbers;
-  *count = 0;
-  return valueOr<const double*>(nullptr, [&]() -> const double* {
-    numbers = make();
-    *count = static_cast<std::int32_t>(numbers.size());
-    return numbers.data();
-  });
-}
-
-std::vector<double> forcesIn(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
-  const PlayedScene& played = in(slot);
-  const auto key = std::pair(slot, motion);
-  auto found = playedForces.find(key);
-  if (found == playedForces.end()) {
-    const PlayedForces made(played, static_cast<std::size_t>(motion));
-    found = playedForces.emplace(key, made).first;
-  }
-  return found->second.at(played, frame);
-}
-
 }  // namespace
 }  // namespace rotatebook::bridge
 
 using namespace rotatebook;
 using namespace rotatebook::bridge;
 
-char* rb_buffer() {
-  return buffer.data();
+rb_context* rb_new(std::int32_t maxFrames, std::int32_t bufferSize) {
+  const auto size = static_cast<std::size_t>(bufferSize > 0 ? bufferSize : kBufferSize);
+  return valueOr<rb_context*>(
+      nullptr, [&] { return new rb_context(maxFrames > 0 ? maxFrames : kMaxFrames, size); });
 }
 
-std::int32_t rb_buffer_size() {
-  return static_cast<std::int32_t>(buffer.size());
+void rb_delete(rb_context* context) {
+  delete context;
 }
 
-std::int32_t rb_words() {
-  return answerOf([] { return jsonText(wordsJson()); });
+char* rb_buffer(rb_context* context) {
+  return context->buffer();
 }
 
-std::int32_t rb_toml_to_json(std::int32_t length) {
-  return answerOf(
-      [&] { return document::jsonOf(document::parseToml(given(length), "scene.toml")); });
+std::int32_t rb_buffer_size(rb_context* context) {
+  return static_cast<std::int32_t>(context->bufferSize());
 }
 
-std::int32_t rb_json_to_toml(std::int32_t length) {
-  return answerOf([&] { return document::documentText(document::nodeOfJson(given(length))); });
+std::int32_t rb_words(rb_context* context) {
+  return context->answerOf([&] { return jsonText(wordsJson()); });
 }
 
-std::int32_t rb_file(std::int32_t nameLength, std::int32_t length) {
-  return answerOf([&] {
-    takeFile(nameLength, length);
+std::int32_t rb_toml_to_json(rb_context* context, std::int32_t length) {
+  return context->answerOf(
+      [&] { return document::jsonOf(document::parseToml(context->given(length), "scene.toml")); });
+}
+
+std::int32_t rb_json_to_toml(rb_context* context, std::int32_t length) {
+  return context->answerOf(
+      [&] { return document::documentText(document::nodeOfJson(context->given(length))); });
+}
+
+std::int32_t rb_file(rb_context* context, std::int32_t nameLength, std::int32_t length) {
+  return context->answerOf([&] {
+    context->takeFile(nameLength, length);
     return "";
   });
 }
 
-const double* rb_flight(const double* readings, std::int32_t readingCount, std::int32_t* count) {
-  return numbersFor(count, [&] { return flightNumbers(readings, readingCount); });
+const double* rb_flight(rb_context* context, const double* readings, std::int32_t readingCount,
+                        std::int32_t* count) {
+  return context->numbersFor(count, [&] { return flightNumbers(readings, readingCount); });
 }
 
-std::int32_t rb_recording(std::int32_t length) {
-  return answerOf([&] {
-    const std::string name(given(length));
-    return jsonText(recordingJson(takenFile(name, kBufferSize), name));
+std::int32_t rb_recording(rb_context* context, std::int32_t length) {
+  return context->answerOf([&] {
+    const std::string name(context->given(length));
+    return jsonText(recordingJson(context->takenFile(name, context->bufferSize()), name));
   });
 }
 
-std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
-  return answerOf([&] {
-    std::optional<PlayedScene>& held = slotAt(slot);
-    scene::Scene scene = sceneFrom(given(length));
-    const bool keepsMotions = held && held->hasMotionsOf(scene);
-    std::optional<PlayedScene> played;
-    if (!keepsMotions) played.emplace(scene);
-    std::string json = jsonText(sceneJson(scene));
-    playedForces.clear();
-    if (keepsMotions) {
-      held->replace(std::move(scene));
-    } else {
-      held = std::move(played);
-    }
-    return json;
-  });
+std::int32_t rb_read(rb_context* context, std::int32_t slot, std::int32_t length) {
+  return context->answerOf([&] { return context->read(slot, context->given(length)); });
 }
 
-std::int32_t rb_scene_text(std::int32_t slot) {
-  return answerOf([&] { return scene::sceneText(in(slot).scene()); });
+std::int32_t rb_scene_text(rb_context* context, std::int32_t slot) {
+  return context->answerOf([&] { return scene::sceneText(context->in(slot).scene()); });
 }
 
-std::int32_t rb_advance(std::int32_t slot, std::int32_t frame, std::int32_t steps) {
+std::int32_t rb_advance(rb_context* context, std::int32_t slot, std::int32_t frame,
+                        std::int32_t steps) {
   try {
-    return static_cast<std::int32_t>(in(slot).advance(frame, steps));
+    return static_cast<std::int32_t>(context->in(slot).advance(frame, steps));
   } catch (const std::exception& error) {
-    lastMessage = error.what();
+    context->message = error.what();
     return -1;
   }
 }
 
-std::int32_t rb_message() {
-  return answer(lastMessage);
+std::int32_t rb_message(rb_context* context) {
+  return context->answer(context->message);
 }
 
-std::int32_t rb_frames(std::int32_t slot) {
-  return valueOr(0, [&] { return static_cast<std::int32_t>(in(slot).frameCount()); });
+std::int32_t rb_frames(rb_context* context, std::int32_t slot) {
+  return valueOr(0, [&] { return static_cast<std::int32_t>(context->in(slot).frameCount()); });
 }
 
-const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
-  static std::array<double, kSampleNumbers> numbers;
+const double* rb_sample(rb_context* context, std::int32_t slot, std::int32_t motion,
+                        std::int32_t frame) {
   const auto index = static_cast<std::size_t>(motion);
   const auto take = [&]() -> const double* {
-    numbers = numbersOf(in(slot).sample(index, frame), in(slot).isHeld(index, frame));
-    return numbers.data();
+    context->sample =
+        numbersOf(context->in(slot).sample(index, frame), context->in(slot).isHeld(index, frame));
+    return context->sample.data();
   };
   return valueOr<const double*>(nullptr, take);
 }
 
-std::int32_t rb_checksum(std::int32_t slot) {
-  return answerOf([&] { return timeline::motionChecksum(wholeIn(slot)); });
+std::int32_t rb_checksum(rb_context* context, std::int32_t slot) {
+  return context->answerOf([&] { return timeline::motionChecksum(context->wholeIn(slot)); });
 }
 
-std::int32_t rb_table_checksum(std::int32_t slot) {
-  return answerOf([&] {
+std::int32_t rb_table_checksum(rb_context* context, std::int32_t slot) {
+  return context->answerOf([&] {
     Checksum sum;
-    for (const physics::Trajectory& trajectory : wholeIn(slot).trajectories()) {
+    for (const physics::Trajectory& trajectory : context->wholeIn(slot).trajectories()) {
       sum.add(timeline::trajectoryCsv(trajectory));
     }
     return sum.text();
   });
 }
 
-void rb_clip(double size) {
-  search = RecordSearch(static_cast<std::uint64_t>(size > 0 ? std::min(size, 0x1p53) : 0));
+void rb_clip(rb_context* context, double size) {
+  context->search = RecordSearch(static_cast<std::uint64_t>(size > 0 ? std::min(size, 0x1p53) : 0));
 }
 
-double rb_clip_offset() {
-  return static_cast<double>(search.next());
+double rb_clip_offset(rb_context* context) {
+  return static_cast<double>(context->search.next());
 }
 
-std::int32_t rb_record(std::int32_t length) {
-  return answerOf([&] { return search.take(given(length)); });
+std::int32_t rb_record(rb_context* context, std::int32_t length) {
+  return context->answerOf([&] { return context->search.take(context->given(length)); });
 }
 
-const float* rb_mesh_vertices(std::int32_t* count) {
+const float* rb_mesh_vertices(rb_context* /*context*/, std::int32_t* count) {
   *count = static_cast<std::int32_t>(bookMesh().vertices.size() / 10);
   return bookMesh().vertices.data();
 }
 
-const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count) {
+const std::uint16_t* rb_mesh_indices(rb_context* /*context*/, std::int32_t part,
+                                     std::int32_t* count) {
   *count = 0;
   if (part < 0 || part >= static_cast<std::int32_t>(geometry::kBookPartCount)) return nullptr;
   const auto& indices = bookMesh().indices[static_cast<std::size_t>(part)];
@@ -326,25 +204,25 @@ const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count) {
   return indices.data();
 }
 
-std::int32_t rb_body(std::int32_t slot, std::int32_t motion) {
-  return answerOf([&] { return makeBody(slot, motion); });
+std::int32_t rb_body(rb_context* context, std::int32_t slot, std::int32_t motion) {
+  return context->answerOf([&] { return context->makeBody(slot, motion); });
 }
 
-const float* rb_body_vertices() {
-  return lastBody.vertices.data();
+const float* rb_body_vertices(rb_context* context) {
+  return context->body.vertices.data();
 }
 
-const std::uint32_t* rb_body_indices() {
-  return lastBody.indices.data();
+const std::uint32_t* rb_body_indices(rb_context* context) {
+  return context->body.indices.data();
 }
 
-std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
-                       float height, const double* orbit, double distance, float* matrix,
-                       float* eye, float* sky) {
+std::int32_t rb_camera(rb_context* context, std::int32_t slot, std::int32_t motion,
+                       std::int32_t frame, float width, float height, const double* orbit,
+                       double distance, float* matrix, float* eye, float* sky) {
   const geometry::Screen screen{pixels(width), pixels(height), 0};
   const auto index = static_cast<std::size_t>(motion);
   return valueOr(0, [&] {
-    const PlayedScene& played = in(slot);
+    const PlayedScene& played = context->in(slot);
     const geometry::Camera camera =
         played.camera(index, frame, screen, {orbit[0], orbit[1], distance});
     const body::Cage around = kDepthAround * played.sample(index, frame).cage;
@@ -357,26 +235,28 @@ std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t fram
   });
 }
 
-const double* rb_forces(std::int32_t slot, std::int32_t motion, std::int32_t frame,
-                        std::int32_t* count) {
-  return numbersFor(count, [&] { return forcesIn(slot, motion, frame); });
+const double* rb_forces(rb_context* context, std::int32_t slot, std::int32_t motion,
+                        std::int32_t frame, std::int32_t* count) {
+  return context->numbersFor(count, [&] { return context->forcesIn(slot, motion, frame); });
 }
 
-const double* rb_ladder(std::int32_t slot, std::int32_t motion, std::int32_t frame,
-                        std::int32_t* count) {
-  return numbersFor(
-      count, [&] { return ladderNumbers(in(slot), static_cast<std::size_t>(motion), frame); });
-}
-
-const double* rb_poinsot(std::int32_t slot, std::int32_t motion, std::int32_t frame,
-                         std::int32_t trail, std::int32_t* count) {
-  return numbersFor(count, [&] {
-    return poinsotNumbers(in(slot), static_cast<std::size_t>(motion), frame, trail);
+const double* rb_ladder(rb_context* context, std::int32_t slot, std::int32_t motion,
+                        std::int32_t frame, std::int32_t* count) {
+  return context->numbersFor(count, [&] {
+    return ladderNumbers(context->in(slot), static_cast<std::size_t>(motion), frame);
   });
 }
 
-std::int32_t rb_spin(std::int32_t slot, std::int32_t motion) {
-  return answerOf([&] {
-    return jsonText(spinJson(in(slot).scene().motions.at(static_cast<std::size_t>(motion))));
+const double* rb_poinsot(rb_context* context, std::int32_t slot, std::int32_t motion,
+                         std::int32_t frame, std::int32_t trail, std::int32_t* count) {
+  return context->numbersFor(count, [&] {
+    return poinsotNumbers(context->in(slot), static_cast<std::size_t>(motion), frame, trail);
+  });
+}
+
+std::int32_t rb_spin(rb_context* context, std::int32_t slot, std::int32_t motion) {
+  return context->answerOf([&] {
+    return jsonText(
+        spinJson(context->in(slot).scene().motions.at(static_cast<std::size_t>(motion))));
   });
 }

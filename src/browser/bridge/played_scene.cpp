@@ -11,7 +11,6 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "bridge/bridge.h"
 #include "scene/scene_text.h"
 #include "timeline/scene_camera.h"
 
@@ -26,24 +25,24 @@ Vector3d turned(const Vector3d& vector, const Vector3d& axis, double angle) {
          (1 - cosine(angle)) * axis.dot(vector) * axis;
 }
 
-void refuseLong(const scene::Scene& scene, std::size_t motions) {
+void refuseLong(const scene::Scene& scene, std::size_t motions, std::int64_t maxFrames) {
   const std::int64_t frames = scene.clip.frameCount();
-  if (frames <= kMaxFrames / static_cast<std::int64_t>(motions)) return;
+  if (frames <= maxFrames / static_cast<std::int64_t>(motions)) return;
   const bool isOne = motions == 1;
   throw InputError(scene.name +
                    ".toml: the motion is too long to be played here: " + std::to_string(frames) +
                    " frames" + (isOne ? "" : " of each of " + std::to_string(motions) + " books") +
-                   ", at most " + std::to_string(kMaxFrames) + (isOne ? "" : " together") +
+                   ", at most " + std::to_string(maxFrames) + (isOne ? "" : " together") +
                    "; rotatebook render makes its clip");
 }
 
 }  // namespace
 
-PlayedScene::PlayedScene(scene::Scene scene)
+PlayedScene::PlayedScene(scene::Scene scene, std::int64_t maxFrames)
     : scene_(std::move(scene)),
       motionCount_(scene_.motions.size()),
       frames_(scene::referenceFramesOf(scene_)) {
-  refuseLong(scene_, motionCount_);
+  refuseLong(scene_, motionCount_, maxFrames);
   simulation_.emplace(scene_);
 }
 

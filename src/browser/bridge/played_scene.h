@@ -27,8 +27,8 @@ struct Orbit {
 class PlayedScene {
  public:
   /// Simulates the first frame. Throws InputError as timeline::SceneSimulation does, and if the
-  /// motions have more than kMaxFrames frames together.
-  explicit PlayedScene(scene::Scene scene);
+  /// motions have more than `maxFrames` frames together.
+  PlayedScene(scene::Scene scene, std::int64_t maxFrames);
 
   const scene::Scene& scene() const { return scene_; }
 

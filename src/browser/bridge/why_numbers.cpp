@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "base/json.h"
+#include "bridge/bridge.h"
 #include "physics/free_motion.h"
 #include "physics/motion_start.h"
 #include "rigid/energy_ladder.h"

@@ -29,6 +29,7 @@ class Core {
   /** `module`: as emscripten makes it. */
   constructor(module) {
     this.module = module;
+    this.context = module._rb_new(0, 0);
     this.buffer = this.#call("buffer");
     this.size = this.#call("buffer_size");
     this.words = JSON.parse(this.#text(this.#call("words")));
@@ -42,7 +43,7 @@ class Core {
   #call(name, ...values) {
     const stack = this.module.stackSave();
     try {
-      return this.module["_rb_" + name](...values);
+      return this.module["_rb_" + name](this.context, ...values);
     } catch (error) {
       this.module.stackRestore(stack);
       throw understandable(error);

@@ -17,6 +17,7 @@
 namespace rotatebook::bridge {
 namespace {
 
+using testing::context;
 using testing::giveFile;
 using ::testing::HasSubstr;
 using testing::kAll;
@@ -30,13 +31,13 @@ using testing::with;
 
 TEST(Bridge, HasNoCameraOfWhatIsntThere) {
   readAnew(0, std::string(kScene) + "[camera]\nfollow = \"size\"\n");
-  rb_advance(0, kAll, kAll);
+  rb_advance(context(), 0, kAll, kAll);
   const std::array<double, 2> straight{0, 0};
   std::array<float, 16> matrix{}, sky{};
   std::array<float, 3> eye{};
   const auto camera = [&](std::int32_t slot, std::int32_t motion, std::int32_t frame, float width) {
-    return rb_camera(slot, motion, frame, width, 90, straight.data(), 1, matrix.data(), eye.data(),
-                     sky.data());
+    return rb_camera(context(), slot, motion, frame, width, 90, straight.data(), 1, matrix.data(),
+                     eye.data(), sky.data());
   };
   EXPECT_EQ(camera(-1, 0, 0, 160), 0);
   EXPECT_EQ(camera(0, 1, 0, 160), 0);
@@ -57,7 +58,8 @@ TEST(Bridge, HasTheProgramsCamera) {
   const std::array<double, 2> straight{0, 0}, turned{0.3, 0};
   std::array<float, 16> matrix{}, sky{};
   std::array<float, 3> eye{};
-  rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data(), sky.data());
+  rb_camera(context(), 0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data(),
+            sky.data());
   const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
   const geometry::Screen screen{1280, 720, 0};
   const body::Cage cage = scene.motions[0].body.corners();
@@ -71,13 +73,13 @@ TEST(Bridge, HasTheProgramsCamera) {
   };
   EXPECT_LT(difference(), kBound);
   EXPECT_NEAR(eye[2], scene.cameraPosition.z(), kBound);
-  rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data(), sky.data());
+  rb_camera(context(), 0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data(), sky.data());
   EXPECT_GT(difference(), 0.01) << "of a camera that is turned";
 }
 
 TEST(Bridge, HasTheBooksMesh) {
   std::int32_t count = 0;
-  const float* vertices = rb_mesh_vertices(&count);
+  const float* vertices = rb_mesh_vertices(context(), &count);
   EXPECT_GT(count, 1000);
   for (std::int32_t i = 0; i < count; ++i) {
     EXPECT_GE(vertices[10 * i], 0) << "position in the unit cube";
@@ -86,7 +88,7 @@ TEST(Bridge, HasTheBooksMesh) {
   }
   for (std::int32_t part = 0; part < 5; ++part) {
     std::int32_t indexCount = 0;
-    const std::uint16_t* indices = rb_mesh_indices(part, &indexCount);
+    const std::uint16_t* indices = rb_mesh_indices(context(), part, &indexCount);
     EXPECT_GT(indexCount, 0);
     EXPECT_EQ(indexCount % 3, 0);
     for (std::int32_t i = 0; i < indexCount; ++i) EXPECT_LT(indices[i], count);
@@ -95,18 +97,18 @@ TEST(Bridge, HasTheBooksMesh) {
 
 TEST(Bridge, HasTheMeshesOfOtherBodies) {
   read(0, kScene);
-  EXPECT_EQ(taken(rb_body(0, 0)), "null") << "the book";
-  EXPECT_LT(rb_body(0, 1), 0) << "no such motion";
+  EXPECT_EQ(taken(rb_body(context(), 0, 0)), "null") << "the book";
+  EXPECT_LT(rb_body(context(), 0, 1), 0) << "no such motion";
   read(0, "[body]\nshape = \"t-handle\"\n[initial]\nangular_velocity = [4, 0, 0]\n");
-  const std::string json = taken(rb_body(0, 0));
+  const std::string json = taken(rb_body(context(), 0, 0));
   EXPECT_THAT(json, HasSubstr("\"parts\":[{\"first\":0,"));
   const std::size_t vertices = std::stoul(json.substr(json.find(':') + 1));
   EXPECT_GT(vertices, 1000U);
   for (std::size_t i = 0; i < vertices; ++i) {
-    EXPECT_GE(rb_body_vertices()[10 * i], -1e-6) << "position in the unit cube";
-    EXPECT_LE(rb_body_vertices()[10 * i], 1 + 1e-6);
+    EXPECT_GE(rb_body_vertices(context())[10 * i], -1e-6) << "position in the unit cube";
+    EXPECT_LE(rb_body_vertices(context())[10 * i], 1 + 1e-6);
   }
-  for (std::size_t i = 0; i < 300; ++i) EXPECT_LT(rb_body_indices()[i], vertices);
+  for (std::size_t i = 0; i < 300; ++i) EXPECT_LT(rb_body_indices(context())[i], vertices);
 }
 
 TEST(Bridge, ReadsMeshesThatItWasGiven) {
@@ -115,15 +117,15 @@ TEST(Bridge, ReadsMeshesThatItWasGiven) {
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
   constexpr std::string_view kBody =
       "[body]\nmesh = \"a.obj\"\ndensity = 1\n[initial]\nangular_velocity = [4, 0, 0]\n";
-  EXPECT_LT(rb_read(0, put(kBody)), 0);
+  EXPECT_LT(rb_read(context(), 0, put(kBody)), 0);
   giveFile(kName, kTetrahedron);
   read(0, kBody);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\":12,\"indices\":12"));
+  EXPECT_THAT(taken(rb_body(context(), 0, 0)), HasSubstr("\"vertices\":12,\"indices\":12"));
   // Of a record, which has the numbers alone, a box is drawn
-  const std::string record = taken(rb_scene_text(0));
-  ASSERT_EQ(rb_file(0, 0), 0);
+  const std::string record = taken(rb_scene_text(context(), 0));
+  ASSERT_EQ(rb_file(context(), 0, 0), 0);
   read(0, record);
-  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\":2148"));
+  EXPECT_THAT(taken(rb_body(context(), 0, 0)), HasSubstr("\"indices\":2148"));
 }
 
 }  // namespace

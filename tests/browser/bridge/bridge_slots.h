@@ -21,17 +21,23 @@ inline constexpr std::string_view kScene =
 inline constexpr int kFrames = 120;
 inline constexpr std::int32_t kAll = 1'000'000'000;
 
+/// Returns the context of all tests but those that make another.
+inline rb_context* context() {
+  static rb_context* const made = rb_new(0, 0);
+  return made;
+}
+
 inline std::int32_t put(std::string_view text) {
-  std::memcpy(rb_buffer(), text.data(), text.size());
+  std::memcpy(rb_buffer(context()), text.data(), text.size());
   return static_cast<std::int32_t>(text.size());
 }
 
 inline std::string taken(std::int32_t length) {
-  return {rb_buffer(), static_cast<std::size_t>(std::abs(length))};
+  return {rb_buffer(context()), static_cast<std::size_t>(std::abs(length))};
 }
 
 inline void read(std::int32_t slot, std::string_view text) {
-  const std::int32_t length = rb_read(slot, put(text));
+  const std::int32_t length = rb_read(context(), slot, put(text));
   ASSERT_GT(length, 0) << taken(length);
 }
 
@@ -48,8 +54,9 @@ inline std::string with(std::string_view text, std::string_view part, std::strin
 
 inline void giveFile(std::string_view name, std::string_view bytes) {
   put(std::string(name) + std::string(bytes));
-  ASSERT_EQ(
-      rb_file(static_cast<std::int32_t>(name.size()), static_cast<std::int32_t>(bytes.size())), 0);
+  ASSERT_EQ(rb_file(context(), static_cast<std::int32_t>(name.size()),
+                    static_cast<std::int32_t>(bytes.size())),
+            0);
 }
 
 }  // namespace rotatebook::bridge::testing

@@ -47,15 +47,15 @@ std::string webm(const std::string& text, std::size_t pictures = 10) {
 
 /// Returns the record in a file, or the message.
 std::string recordIn(std::string_view file) {
-  rb_clip(static_cast<double>(file.size()));
+  rb_clip(context(), static_cast<double>(file.size()));
   std::int32_t length = 0;
   while (length == 0) {
     const std::string_view piece =
-        file.substr(static_cast<std::size_t>(rb_clip_offset()), kRecordPiece);
-    std::memcpy(rb_buffer(), piece.data(), piece.size());
-    length = rb_record(static_cast<std::int32_t>(piece.size()));
+        file.substr(static_cast<std::size_t>(rb_clip_offset(context())), kRecordPiece);
+    std::memcpy(rb_buffer(context()), piece.data(), piece.size());
+    length = rb_record(context(), static_cast<std::int32_t>(piece.size()));
   }
-  return {rb_buffer(), static_cast<std::size_t>(std::abs(length))};
+  return {rb_buffer(context()), static_cast<std::size_t>(std::abs(length))};
 }
 
 TEST(RecordSearch, FindsItAfterAnyPictures) {
@@ -80,9 +80,9 @@ TEST(RecordSearch, RefusesWhatIsCutOff) {
 }
 
 TEST(RecordSearch, RefusesPiecesThatAreShorter) {
-  rb_clip(100);
-  EXPECT_LT(rb_record(99), 0);
-  EXPECT_THAT(std::string(rb_buffer(), 30), HasSubstr("cut off"));
+  rb_clip(context(), 100);
+  EXPECT_LT(rb_record(context(), 99), 0);
+  EXPECT_THAT(std::string(rb_buffer(context()), 30), HasSubstr("cut off"));
 }
 
 TEST(RecordSearch, TakesAnyBytes) {

@@ -40,7 +40,7 @@ struct Played {
   explicit Played(const std::string& text)
       : scene(scene::parseScene(text, "scene.toml")), motion(timeline::simulateScene(scene)) {
     testing::read(0, text);
-    rb_advance(0, testing::kAll, testing::kAll);
+    rb_advance(context(), 0, testing::kAll, testing::kAll);
   }
   const scene::Panel& panel() const { return scene.motions[0]; }
   const std::vector<physics::Sample>& samples() const { return motion.trajectories()[0].samples; }
@@ -52,7 +52,7 @@ struct Played {
 template <typename Function, typename... Values>
 std::vector<double> numbersOf(const Function& function, Values... values) {
   std::int32_t count = 7;
-  const double* numbers = function(0, 0, values..., &count);
+  const double* numbers = function(context(), 0, 0, values..., &count);
   if (numbers == nullptr) return {};
   return {numbers, numbers + count};
 }
@@ -152,7 +152,7 @@ TEST(WhyNumbers, BeginTheTrailAtTheLastNudge) {
 TEST(WhyNumbers, SayWhatFollowsFromAThrow) {
   const Played played{std::string(kTurningScene)};
   const timeline::Spin spin = timeline::spinOf(played.panel());
-  const std::int32_t length = rb_spin(0, 0);
+  const std::int32_t length = rb_spin(context(), 0, 0);
   ASSERT_GT(length, 0);
   const std::string json = testing::taken(length);
   using ::testing::HasSubstr;
@@ -169,7 +169,8 @@ TEST(WhyNumbers, HaveTheSkyOfACameraThatTurns) {
   std::array<float, 3> eye{};
   for (const char* name : {"world", "body", "turning"}) {
     const Played played(inFrame(name));
-    rb_camera(0, 0, kFrame, 640, 360, straight.data(), 1, matrix.data(), eye.data(), sky.data());
+    rb_camera(context(), 0, 0, kFrame, 640, 360, straight.data(), 1, matrix.data(), eye.data(),
+              sky.data());
     const Eigen::Matrix4d here = Eigen::Map<Eigen::Matrix4f>(sky.data()).cast<double>();
     if (name != std::string_view("turning")) {
       EXPECT_EQ(here.norm(), 0) << name;
@@ -188,11 +189,11 @@ TEST(WhyNumbers, HaveTheSkyOfACameraThatTurns) {
 TEST(WhyNumbers, AreNoneOfWhatIsntThere) {
   const Played played{std::string(kTurningScene)};
   std::int32_t count = 7;
-  EXPECT_EQ(rb_forces(0, 1, 0, &count), nullptr);
+  EXPECT_EQ(rb_forces(context(), 0, 1, 0, &count), nullptr);
   EXPECT_EQ(count, 0);
-  EXPECT_EQ(rb_ladder(0, -1, 0, &count), nullptr);
-  EXPECT_EQ(rb_poinsot(-1, 0, 0, 5, &count), nullptr);
-  EXPECT_LT(rb_spin(0, 1), 0);
+  EXPECT_EQ(rb_ladder(context(), 0, -1, 0, &count), nullptr);
+  EXPECT_EQ(rb_poinsot(context(), -1, 0, 0, 5, &count), nullptr);
+  EXPECT_LT(rb_spin(context(), 0, 1), 0);
   EXPECT_EQ(numbersOf(rb_poinsot, testing::kAll, testing::kAll).size(), 25 + 240 * 6U);
 }
 

@@ -20,7 +20,7 @@ function sceneFiles(folder) {
 }
 
 class Core {
-  constructor(module) { this.module = module; this.buffer = module._rb_buffer(); }
+  constructor(module) { this.module = module; this.context = module._rb_new(0, 0); this.buffer = module._rb_buffer(this.context); }
   text(length) {
     const text = Buffer.from(this.module.HEAPU8.slice(this.buffer, this.buffer + Math.abs(length))).toString();
     if (length < 0) throw new Error(text);
@@ -33,21 +33,21 @@ class Core {
   }
   /** Takes the recordings and the mesh that a scene names, in place of all others. */
   takeFiles(scene, file) {
-    this.text(this.module._rb_file(0, 0));
+    this.text(this.module._rb_file(this.context, 0, 0));
     for (const {name, bytes} of filesOf(file, scene)) {
       this.put(Buffer.concat([Buffer.from(name), bytes]));
-      this.text(this.module._rb_file(Buffer.byteLength(name), bytes.length));
+      this.text(this.module._rb_file(this.context, Buffer.byteLength(name), bytes.length));
     }
   }
   /** Returns the checksums of the scene's motions and of their tables. */
   checksums(scene) {
-    this.text(this.module._rb_read(0, this.put(scene)));
+    this.text(this.module._rb_read(this.context, 0, this.put(scene)));
     while (true) {
-      const frames = this.module._rb_advance(0, 1e9, 1e9);
-      if (frames < 0) throw new Error(this.text(this.module._rb_message()));
-      if (frames === this.module._rb_frames(0)) break;
+      const frames = this.module._rb_advance(this.context, 0, 1e9, 1e9);
+      if (frames < 0) throw new Error(this.text(this.module._rb_message(this.context)));
+      if (frames === this.module._rb_frames(this.context, 0)) break;
     }
-    return [this.text(this.module._rb_checksum(0)), this.text(this.module._rb_table_checksum(0))];
+    return [this.text(this.module._rb_checksum(this.context, 0)), this.text(this.module._rb_table_checksum(this.context, 0))];
   }
 }
 

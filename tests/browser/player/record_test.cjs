@@ -169,7 +169,7 @@ test("a proof has a slot of its own, and can be given up", async () => {
 test("whatever breaks the module off is said in a sentence", () => {
   const moduleThat = (fail) => ({HEAPU8: new Uint8Array(1 << 16), stack: 7,
     stackSave() { return this.stack; }, stackRestore(to) { this.stack = to; },
-    _rb_buffer: () => 0, _rb_buffer_size: () => 1 << 20, _rb_words() { new Uint8Array(this.HEAPU8.buffer).set(Buffer.from("{}")); return 2; },
+    _rb_new: () => 1, _rb_buffer: () => 0, _rb_buffer_size: () => 1 << 20, _rb_words() { new Uint8Array(this.HEAPU8.buffer).set(Buffer.from("{}")); return 2; },
     _rb_frames() { this.stack = 99; fail(); }});
   const internal = Object.assign(new Error("too much recursion"), {name: "InternalError"});
   const overflow = () => overflow() + 1;

@@ -1,0 +1,83 @@
+"""What the program does for the installed package."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import numpy as np
+
+import rotatebook
+from rotatebook import ProgramError, Scene, SceneError
+
+SOURCE = pathlib.Path(os.environ["ROTATEBOOK_SOURCE"])
+SMALL = Scene('[initial]\nangular_velocity = [5.0, 0.05, 0.0]\n[clip]\nduration = 0.5\nsize = [160, 90]\n', name="small")
+
+
+class Clips(unittest.TestCase):
+    def test_show_themselves_and_that_they_are_proved(self):
+        seen = []
+        clip = rotatebook.render(SMALL, "clips", overwrite=True, progress=lambda done, whole: seen.append((done, whole)))
+        self.assertEqual(seen, [(30, 30)])
+        self.assertTrue(clip._repr_html_().startswith('<figure><video controls loop src="data:video/mp4;base64,'))
+        self.assertNotIn("proved", clip._repr_html_())
+        proof = clip.verify()
+        self.assertTrue(proof.proved)
+        self.assertIn("<figcaption>proved</figcaption>", clip._repr_html_())
+        motion = next(check for check in proof.report["checks"] if check["check"] == "motion")
+        self.assertEqual(motion["measured"], SMALL.simulate().checksum)
+        with open(clip.file, "ab") as file:
+            file.write(b"\0")
+        self.assertNotIn("proved", clip._repr_html_(), "these are other bytes")
+
+    def test_that_arent_made_say_why(self):
+        pathlib.Path("bad.toml").write_text("[body]\nmaas = 3\n")
+        with self.assertRaises(SceneError) as refused:
+            rotatebook.render("bad.toml")
+        self.assertEqual((refused.exception.line, refused.exception.column), (2, 1))
+        with self.assertRaises(ProgramError) as refused:
+            rotatebook.verify("bad.toml")
+        self.assertEqual(refused.exception.status, 2)
+
+    def test_end_by_ctrl_c_at_once(self):
+        script = (f"import rotatebook, time\nscene = rotatebook.Scene({SMALL.text.replace('0.5', '600')!r})\n"
+                  "print('begun', flush=True)\ntry:\n    rotatebook.render(scene, 'long', overwrite=True)\n"
+                  "except KeyboardInterrupt:\n    print(time.monotonic(), flush=True)\n")
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        child.stdout.readline()
+        time.sleep(1)
+        pressed = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        said, _ = child.communicate(timeout=60)
+        self.assertLess(float(said) - pressed, 0.1)  # Measured 0.05.
+
+
+class Judging(unittest.TestCase):
+    def test_tells_good_engines_from_bad(self):
+        motion = SMALL.simulate()[0]
+        good = rotatebook.judge(motion, max_error_deg=1e-6)
+        self.assertTrue(good["met"])
+        slow = {"time": motion.time * 1.01, "attitude": motion.attitude}
+        self.assertFalse(rotatebook.judge(slow, inertia=motion.moments, max_energy_drift=1e-6)["met"] and
+                         rotatebook.judge({"time": motion.time, "attitude": motion.attitude * [1, 1, -1, 1]},
+                                          inertia=motion.moments, max_error_deg=1)["met"])
+        self.assertEqual(rotatebook.judge(SMALL)["motions"][0]["method"], "agrees with the exact motion")
+
+    def test_studies_maps_and_tosses(self):
+        study = rotatebook.study(SMALL, "studies", integrators="rk4", steps="4,8,16,32")
+        scene = Scene(SMALL.text.replace("[clip]", 'tilt = ["1 deg", "z"]\n[clip]') + '[map]\nsize = [4, 3]\nmeasure = "half_turns"\n'
+                      'x = { key = "initial.tilt.0", from = 0.001, to = 0.1 }\n'
+                      'y = { key = "initial.angular_velocity.0", from = 4, to = 6 }\n', name="tiny")
+        report, values = rotatebook.map(scene, "maps", overwrite=True)
+        self.assertEqual((values.shape, values.dtype), ((3, 4), np.float64))
+        columns = [f"w{axis}=Kreisel {axis}" for axis in "xyz"]
+        tossed = rotatebook.toss(SOURCE / "scenes/comparisons/tossed-book.csv", list=True, column=columns, rates="rad/s")
+        self.assertEqual((list(report), list(study), list(tossed)),
+                         (["interrupted", "maps"], ["interrupted", "studies"], ["name", "throws"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

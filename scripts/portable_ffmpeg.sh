@@ -41,8 +41,8 @@ configure() {
   ./configure --prefix=/nowhere --extra-version="${version##*-}" --enable-gpl --enable-shared --disable-static \
     --disable-autodetect --disable-everything --disable-programs --disable-doc --disable-network --disable-avdevice \
     --disable-postproc --disable-swresample --enable-zlib --enable-libx264 --enable-libvpx \
-    --enable-encoder=libx264,libvpx_vp9,gif,apng --enable-decoder=h264,vp9,libvpx_vp9,gif,apng,png \
-    --enable-muxer=mp4,webm,gif,apng --enable-demuxer=mov,matroska,gif,apng --enable-parser=h264,vp9,png,gif \
+    --enable-encoder=libx264,libvpx_vp9,gif,apng,prores_ks --enable-decoder=h264,vp9,libvpx_vp9,gif,apng,png \
+    --enable-muxer=mp4,webm,gif,apng,mov --enable-demuxer=mov,matroska,gif,apng --enable-parser=h264,vp9,png,gif \
     --enable-bsf=h264_mp4toannexb,vp9_superframe,vp9_superframe_split,extract_extradata \
     --enable-protocol=file,pipe --enable-filter=split,palettegen,paletteuse,format,scale,null,buffer,buffersink
 }

@@ -93,11 +93,11 @@ bool isFolder(const std::string& output) {
 
 video::VideoFormat formatOf(const std::string& output) {
   const fs::path path(output);
+  if (const auto format = video::formatOfName(path.filename().string())) return *format;
   const std::string ending = path.extension().string();
   std::vector<std::string_view> endings;
   for (const video::VideoFormat format : video::kVideoFormats) {
     const std::string_view own = rowOf(format).ending;
-    if (ending == own) return format;
     if (lowerCase(ending) == own) {
       throw InputError(fmt::format("--output {}: videos end in small letters; write {}", output,
                                    fs::path(path).replace_extension(own).string()));
@@ -107,6 +107,12 @@ video::VideoFormat formatOf(const std::string& output) {
   throw InputError(fmt::format(
       "--output {0}: no video ends in {1}; there are {2}; for a folder of this name, write {0}/{3}",
       output, quotedText(ending), quotedList(endings, "and"), didYouMean(ending, endings)));
+}
+
+/// Returns the name of a video's file without the ending of its format.
+std::string stemOf(const std::string& output) {
+  const std::string name = fs::path(output).filename().string();
+  return name.substr(0, name.size() - rowOf(formatOf(output)).ending.size());
 }
 
 /// Throws InputError if both folders and videos are named, of which a render makes one.
@@ -131,10 +137,10 @@ Destination destinationOf(const std::vector<std::string>& outputs, std::size_t s
   }
   const fs::path last(outputs.back());
   const fs::path folder = last.has_parent_path() ? last.parent_path() : fs::path(".");
-  Destination destination{folder, last.stem().string(), {}};
+  Destination destination{folder, stemOf(outputs.back()), {}};
   for (const std::string& output : outputs) {
     const fs::path path(output);
-    if (path.parent_path() != last.parent_path() || path.stem() != last.stem()) {
+    if (path.parent_path() != last.parent_path() || stemOf(output) != destination.name) {
       throw InputError(fmt::format(
           "--output {} and --output {}: the videos of a render have one name, but for the ending",
           output, last.string()));

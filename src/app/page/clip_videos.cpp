@@ -61,7 +61,7 @@ ClipVideos videosOf(const scene::Scene& scene, const store::ClipFiles& files) {
   std::string problem;
   for (const FormatRow& format : video::kFormatRows) {
     const fs::path file = files.video(format.format);
-    if (!fs::exists(file)) continue;
+    if (format.isForEditors || !fs::exists(file)) continue;
     const std::string difference = differenceOf(file, format, scene, files, videos.played);
     if (difference.empty()) {
       if (videos.played.empty()) {

@@ -225,9 +225,7 @@ void requireOpaque(const fs::path& path, const image::Image& picture, video::Vid
 
 /// Returns the format that the ending of `path` names.
 video::VideoFormat formatOf(const fs::path& path) {
-  for (const video::FormatRow& row : video::kFormatRows) {
-    if (path.extension() == row.ending) return row.format;
-  }
+  if (const auto format = video::formatOfName(path.filename().string())) return *format;
   throw InputError(path.string() + " names no video format; use the ending " +
                    listFormats(&video::FormatRow::ending, "or"));
 }

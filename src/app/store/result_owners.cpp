@@ -152,8 +152,9 @@ void refuseNoResultsOfClip(const ClipFiles& files, const std::vector<fs::path>& 
     const bool isKnown = file.extension() == ".csv"    ? isTable(file)
                          : file.extension() == ".json" ? isResult("clip", file)
                          : file.extension() == ".vtt"  ? headerOf(file) == timeline::kVttHead
-                         : holdsRecords(file)          ? looksLikeRecord(recordIn(file))
-                                                       : system::hasProgramMark(file);
+                         : system::hasProgramMark(file)
+                             ? true
+                             : holdsRecords(file) && looksLikeRecord(recordIn(file));
     if (isKnown || !sceneChecksumOf(files.frameFolder, file).empty()) continue;
     throw InputError(file.string() + " was left by no render, and " + remedy);
   }

@@ -26,6 +26,10 @@ constexpr std::array<MarkedEnd, 4> kMarkedEnds{
      {"<!-- rotatebook -->\n"sv, "</svg>\n"sv},
      {"%rotatebook\n"sv, "%%EOF\n"sv}}};
 
+constexpr std::string_view kMarkBox =
+    "\0\0\0\x12"
+    "freerotatebook"sv;
+
 const MarkedEnd& endOf(std::string_view bytes) {
   const auto format = std::ranges::find_if(
       kMarkedEnds, [&](const MarkedEnd& one) { return bytes.ends_with(one.end); });
@@ -63,6 +67,13 @@ void addProgramMark(const std::filesystem::path& file) {
   if (!stream || marked.empty()) throw MachineError("can't write " + file.string());
 }
 
+void addProgramBox(const std::filesystem::path& file) {
+  std::ofstream stream(file, std::ios::binary | std::ios::app);
+  stream << kMarkBox;
+  stream.close();
+  if (!stream) throw MachineError("can't write " + file.string());
+}
+
 void writeMarked(const std::filesystem::path& file, std::string bytes) {
   addProgramMark(bytes);
   writeFileAtomically(file, bytes);
@@ -70,6 +81,7 @@ void writeMarked(const std::filesystem::path& file, std::string bytes) {
 
 bool hasProgramMark(const std::filesystem::path& file) {
   const std::string tail = tailOf(file);
+  if (tail.ends_with(kMarkBox)) return true;
   return std::ranges::any_of(kMarkedEnds, [&](const MarkedEnd& format) {
     return tail.find(std::string(format.mark) + std::string(format.end)) != tail.npos;
   });

@@ -12,6 +12,9 @@ namespace rotatebook::system {
 void addProgramMark(std::string& bytes);
 /// Adds it to such a file in place. Throws MachineError if it can't be read or written.
 void addProgramMark(const std::filesystem::path& file);
+/// Adds it to a complete MP4 or MOV in place: at its end a box `free` (ISO/IEC 14496-12, 8.1.2).
+/// Throws MachineError if it can't be written.
+void addProgramBox(const std::filesystem::path& file);
 /// Adds the mark to the bytes, and writes them by writeFileAtomically().
 void writeMarked(const std::filesystem::path& file, std::string bytes);
 

@@ -117,10 +117,15 @@ void ClipInput::open(AVFormatContext* context, const std::string& url, bool Form
 }
 
 VideoFormat ClipInput::format() const {
+  const std::string codec =
+      context_->nb_streams == 1 ? avcodec_get_name(context_->streams[0]->codecpar->codec_id) : "";
   const auto reads = [this](const FormatRow& row) {
     return isNamed(*context_->iformat, row.demuxer);
   };
-  return std::ranges::find_if(kFormatRows, reads)->format;
+  const auto isIt = [&](const FormatRow& row) { return reads(row) && row.codec == codec; };
+  const auto found = std::ranges::find_if(kFormatRows, isIt);
+  return found != kFormatRows.end() ? found->format
+                                    : std::ranges::find_if(kFormatRows, reads)->format;
 }
 
 AVStream& ClipInput::stream() const {

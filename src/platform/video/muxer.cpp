@@ -16,7 +16,7 @@ std::string urlOf(const std::filesystem::path& path) {
 Handle<AVFormatContext> makeContext(const std::filesystem::path& path, VideoFormat format) {
   AVFormatContext* context = nullptr;
   const std::string url = urlOf(path);
-  const std::string container(nameOf(format));
+  const std::string container(rowOf(format).muxer);
   check(avformat_alloc_output_context2(&context, nullptr, container.c_str(), url.c_str()),
         "FFmpeg's libavformat can't write " + container);
   return Handle<AVFormatContext>(context);
@@ -30,10 +30,11 @@ void addStream(AVFormatContext& context, const AVCodecContext& encoder) {
   stream->avg_frame_rate = encoder.framerate;
 }
 
-void addMetadata(AVFormatContext& context, const VideoSettings& settings) {
+void addMetadata(AVFormatContext& context, VideoFormat format, const VideoSettings& settings) {
   Dictionary metadata;
   if (!settings.title.empty()) metadata.set("title", settings.title);
-  if (!settings.comment.empty()) metadata.set("comment", settings.comment);
+  const bool hasComment = !settings.comment.empty() && rowOf(format).holdsRecord;
+  if (hasComment) metadata.set("comment", settings.comment);
   std::swap(context.metadata, *metadata.address());
 }
 
@@ -73,7 +74,7 @@ Muxer::Muxer(const std::filesystem::path& path, VideoFormat format, const Stages
       frameRate_(settings.frameRate) {
   context_->flags |= AVFMT_FLAG_BITEXACT;
   addStream(*context_, stages.encoder.context());
-  addMetadata(*context_, settings);
+  addMetadata(*context_, format, settings);
   checkFile(avio_open(&context_->pb, context_->url, AVIO_FLAG_WRITE));
   Dictionary options;
   for (const auto& [name, value] : stages.containerOptions) options.set(name, value);

@@ -37,8 +37,8 @@ AVPixelFormat targetFormat(bool transparent) {
   return transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
 }
 
-Handle<AVFrame> makeTaggedFrame(int width, int height, bool transparent) {
-  Handle<AVFrame> frame = makeFrame(width, height, targetFormat(transparent));
+Handle<AVFrame> makeTaggedFrame(int width, int height, AVPixelFormat target) {
+  Handle<AVFrame> frame = makeFrame(width, height, target);
   frame->color_primaries = AVCOL_PRI_BT709;
   frame->color_trc = AVCOL_TRC_BT709;
   frame->colorspace = AVCOL_SPC_BT709;
@@ -60,7 +60,7 @@ Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source, AVPix
   set("dst_format", target);
   set("dst_h_chr_pos", kChromaLeft);
   set("sws_flags", kScalerFlags);
-  check(sws_init_context(scaler.get(), nullptr, nullptr), "can't convert RGB to yuv420p");
+  check(sws_init_context(scaler.get(), nullptr, nullptr), "can't convert RGB to YUV");
   const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
   check(sws_setColorspaceDetails(scaler.get(), bt709, kFullRange, bt709, kLimitedRange, 0,
                                  kUnchanged, kUnchanged),
@@ -71,7 +71,10 @@ Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source, AVPix
 }  // namespace
 
 PixelConverter::PixelConverter(int width, int height, bool transparent)
-    : transparent_(transparent), frame_(makeTaggedFrame(width, height, transparent)) {
+    : PixelConverter(width, height, transparent, targetFormat(transparent)) {}
+
+PixelConverter::PixelConverter(int width, int height, bool transparent, AVPixelFormat target)
+    : transparent_(transparent), frame_(makeTaggedFrame(width, height, target)) {
   prepareFor(image::PixelFormat::Rgba8);
 }
 
@@ -117,12 +120,12 @@ void PixelConverter::scale(const std::uint8_t* topRow, std::ptrdiff_t stride, in
   const std::array<int, 4> strides = {static_cast<int>(stride)};
   check(sws_scale(scaler_.get(), planes.data(), strides.data(), top, rows, frame_->data,
                   frame_->linesize),
-        "can't convert a picture to yuv420p");
+        "can't convert a picture to YUV");
 }
 
 void PixelConverter::prepareFor(image::PixelFormat format) {
   scaler_ = makeScaler(frame_->width, frame_->height, sourceFormat(format, transparent_),
-                       targetFormat(transparent_));
+                       static_cast<AVPixelFormat>(frame_->format));
   scalerFormat_ = format;
 }
 

@@ -10,13 +10,15 @@
 
 namespace rotatebook::video {
 
-/// Converts sRGB pictures of one size to yuv420p, or with their alpha to yuva420p: BT.709 matrix,
-/// limited range, chroma sited left, which is H.264's default. Gives the same bytes on every
-/// processor. A flat colour is within 0.51 of the exact value.
+/// Converts sRGB pictures of one size to yuv420p, or with their alpha to yuva420p, or to other YUV:
+/// BT.709 matrix, limited range, chroma sited left, which is H.264's default. Gives the same bytes
+/// on every processor. A flat colour is within 0.51 of the exact value.
 class PixelConverter : public Converter {
  public:
   /// Converts pictures of even `width` and `height`, at least kSmallestSide. [pixels]
   PixelConverter(int width, int height, bool transparent = false);
+  /// Converts to the YUV `target`, of any size if its chroma is whole, with alpha if `transparent`.
+  PixelConverter(int width, int height, bool transparent, AVPixelFormat target);
 
   void send(image::ImageView picture, std::int64_t number) override;
   AVFrame* receive() override;

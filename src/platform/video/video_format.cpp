@@ -1,5 +1,6 @@
 #include "video/video_format.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,21 @@ std::vector<std::string> columnOf(std::string_view FormatRow::*column, bool Form
 
 }  // namespace
 
+std::optional<VideoFormat> formatOfName(std::string_view fileName) {
+  const FormatRow* found = nullptr;
+  for (const FormatRow& row : kFormatRows) {
+    const bool isLonger = found == nullptr || row.ending.size() > found->ending.size();
+    if (fileName.ends_with(row.ending) && isLonger) found = &row;
+  }
+  return found == nullptr ? std::nullopt : std::optional(found->format);
+}
+
 std::string demuxers() {
-  return joined(columnOf(&FormatRow::demuxer, nullptr), ",");
+  std::vector<std::string> names;
+  for (const FormatRow& row : kFormatRows) {
+    if (std::ranges::count(names, row.demuxer) == 0) names.emplace_back(row.demuxer);
+  }
+  return joined(names, ",");
 }
 
 std::string decoders() {

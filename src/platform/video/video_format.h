@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,7 +12,7 @@ namespace rotatebook::video {
 struct VideoSettings;
 struct Stages;
 
-enum class VideoFormat { Mp4, WebM, Gif, Apng };
+enum class VideoFormat { Mp4, WebM, Gif, Apng, ProRes, Hevc, Av1 };
 
 /// Largest rate of GIFs, as players slow down faster ones. Of a faster clip every second picture is
 /// taken, or every third and so on. [1/s]
@@ -31,6 +32,13 @@ MakeStages makeGifStages;
 /// Keeps the pictures' exact pixels; loops for ever.
 MakeStages makeApngStages;
 
+/// Uses ProRes 4444 in QuickTime's container, 10 bits a sample, 4:4:4, with straight alpha.
+MakeStages makeProResStages;
+/// Uses libx265 at constant quality, Main profile, yuv420p, in MP4, tagged hvc1.
+MakeStages makeHevcStages;
+/// Uses libaom's AV1 at constant quality, Main profile, yuv420p, in MP4.
+MakeStages makeAv1Stages;
+
 /// An encoder by FFmpeg's name, and the remedy if FFmpeg was built without it.
 struct EncoderNeed {
   const char* name;
@@ -48,8 +56,9 @@ struct RecordedStream {
 /// A row of the table of formats.
 struct FormatRow {
   VideoFormat format;
-  std::string_view name;     ///< "mp4": for --format, and FFmpeg's name of the muxer.
-  std::string_view ending;   ///< ".mp4"
+  std::string_view name;     ///< "mp4", for --format.
+  std::string_view ending;   ///< ".mp4"; may end in another's.
+  std::string_view muxer;    ///< FFmpeg's name of the muxer.
   std::string_view title;    ///< "MP4"
   std::string_view demuxer;  ///< FFmpeg's name of the demuxer.
   std::string_view codec;    ///< FFmpeg's name of the codec.
@@ -63,16 +72,19 @@ struct FormatRow {
   EncoderNeed encoder;  ///< The best one. For MP4 alone another will do.
   MakeStages* makeStages;
   RecordedStream recorded{};  ///< If it holdsRecord.
+  bool isForEditors = false;  ///< For programs that cut films; pages show no such file.
 };
 
 /// All formats, in the order of the enumeration. Weights were measured as 0.13 to 0.20 for MP4 and
 /// WebM (0.10 to 0.26 on scenes with overlays and quicker turns), 1.4 to 1.8 for GIF and APNG (0.9
-/// to 2.6). WebM rounds times to milliseconds; in MP4, a frame is a whole number of clock ticks.
+/// to 2.6), 3.6 for ProRes, 0.05 to 0.1 for HEVC and AV1. WebM rounds times to milliseconds; in
+/// MP4, a frame is a whole number of clock ticks.
 inline constexpr std::array kFormatRows{
     FormatRow{
         .format = VideoFormat::Mp4,
         .name = "mp4",
         .ending = ".mp4",
+        .muxer = "mp4",
         .title = "MP4",
         .demuxer = "mov",
         .codec = "h264",
@@ -90,6 +102,7 @@ inline constexpr std::array kFormatRows{
         .format = VideoFormat::WebM,
         .name = "webm",
         .ending = ".webm",
+        .muxer = "webm",
         .title = "WebM",
         .demuxer = "matroska",
         .codec = "vp9",
@@ -106,6 +119,7 @@ inline constexpr std::array kFormatRows{
     FormatRow{.format = VideoFormat::Gif,
               .name = "gif",
               .ending = ".gif",
+              .muxer = "gif",
               .title = "GIF",
               .demuxer = "gif",
               .codec = "gif",
@@ -118,6 +132,7 @@ inline constexpr std::array kFormatRows{
     FormatRow{.format = VideoFormat::Apng,
               .name = "apng",
               .ending = ".apng",
+              .muxer = "apng",
               .title = "APNG",
               .demuxer = "apng",
               .codec = "apng",
@@ -126,7 +141,52 @@ inline constexpr std::array kFormatRows{
               .usesThreads = false,
               .weight = 2.5,
               .encoder = {"apng", "install a build with zlib (Debian, Ubuntu: libavcodec-extra)"},
-              .makeStages = makeApngStages}};
+              .makeStages = makeApngStages},
+    FormatRow{
+        .format = VideoFormat::ProRes,
+        .name = "prores",
+        .ending = ".mov",
+        .muxer = "mov",
+        .title = "ProRes",
+        .demuxer = "mov",
+        .codec = "prores",
+        .keepsTransparency = true,
+        .holdsRecord = false,
+        .usesThreads = false,
+        .weight = 4.5,
+        .encoder = {"prores_ks", "install a build with ProRes (Debian, Ubuntu: libavcodec-extra)"},
+        .makeStages = makeProResStages,
+        .isForEditors = true},
+    FormatRow{
+        .format = VideoFormat::Hevc,
+        .name = "hevc",
+        .ending = ".hevc.mp4",
+        .muxer = "mp4",
+        .title = "HEVC",
+        .demuxer = "mov",
+        .codec = "hevc",
+        .keepsTransparency = false,
+        .holdsRecord = false,
+        .usesThreads = false,
+        .weight = 0.22,
+        .encoder = {"libx265", "install a build with libx265 (Debian, Ubuntu: libavcodec-extra)"},
+        .makeStages = makeHevcStages,
+        .isForEditors = true},
+    FormatRow{
+        .format = VideoFormat::Av1,
+        .name = "av1",
+        .ending = ".av1.mp4",
+        .muxer = "mp4",
+        .title = "AV1",
+        .demuxer = "mov",
+        .codec = "av1",
+        .keepsTransparency = false,
+        .holdsRecord = false,
+        .usesThreads = false,
+        .weight = 0.22,
+        .encoder = {"libaom-av1", "install a build with libaom (Debian, Ubuntu: libavcodec-extra)"},
+        .makeStages = makeAv1Stages,
+        .isForEditors = true}};
 
 /// All formats, in the order of the rows.
 inline constexpr auto kVideoFormats = [] {
@@ -155,7 +215,10 @@ constexpr bool keepsTransparency(VideoFormat format) {
   return rowOf(format).keepsTransparency;
 }
 
-/// Returns FFmpeg's names of the demuxers of all formats, separated by commas.
+/// Returns the format whose ending is the longest that `fileName` ends in; nothing if none is.
+std::optional<VideoFormat> formatOfName(std::string_view fileName);
+
+/// Returns FFmpeg's names of the demuxers of all formats, each once, separated by commas.
 std::string demuxers();
 /// Returns FFmpeg's names of the decoders of the formats that hold a record, likewise.
 std::string decoders();

@@ -31,7 +31,7 @@ struct VideoSettings {
   int width = 1280;  ///< At least kSmallestSide; even for MP4 and WebM. [pixels]
   int height = 720;  ///< Like `width`. [pixels]
   FrameRate frameRate;
-  bool transparent = false;         ///< Keep the pictures' alpha; WebM and APNG only.
+  bool transparent = false;         ///< Keep the pictures' alpha; WebM, APNG and ProRes.
   int crf = 18;                     ///< MP4: x264's constant rate factor, kBestCrf to kWorstCrf.
   std::string preset{kBookPreset};  ///< MP4: one of kVideoPresets.
   int threads = 1;                  ///< MP4: encoder threads, >= 1. The bytes depend on it.

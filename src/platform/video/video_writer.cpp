@@ -10,7 +10,7 @@ namespace rotatebook::video {
 struct VideoWriter::Parts {
   Parts(VideoFormat format, const std::filesystem::path& file, const VideoSettings& settings)
       : path(file),
-        isRecorded(rowOf(format).holdsRecord),
+        row(rowOf(format)),
         stages(makeStages(format, settings)),
         muxer(path, format, stages, settings) {}
 
@@ -24,7 +24,7 @@ struct VideoWriter::Parts {
   }
 
   std::filesystem::path path;
-  bool isRecorded;
+  const FormatRow& row;
   Stages stages;
   Muxer muxer;
   std::int64_t pictures = 0;
@@ -54,7 +54,9 @@ void VideoWriter::finish() {
   parts_->encodeReady();
   parts_->encode(nullptr);
   parts_->muxer.finish();
-  if (!parts_->isRecorded) system::addProgramMark(parts_->path);
+  if (parts_->row.holdsRecord) return;
+  parts_->row.isForEditors ? system::addProgramBox(parts_->path)
+                           : system::addProgramMark(parts_->path);
 }
 
 const std::string& VideoWriter::encoderName() const {

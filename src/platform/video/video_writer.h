@@ -17,7 +17,8 @@ namespace rotatebook::video {
 ///
 /// MP4: H.264 High, yuv420p, BT.709 (converted and tagged, limited range), `avc1`, index first
 /// (faststart). WebM: VP9 at constant quality, yuv420p or yuva420p, BT.709 tagged. GIF: a palette
-/// for each picture, dithered. APNG: lossless.
+/// for each picture, dithered. APNG: lossless. ProRes 4444, HEVC
+/// and AV1: for editors.
 class VideoWriter {
  public:
   /// Opens `path` (the caller's temporary name, with any extension). Throws InputError for settings

@@ -72,7 +72,7 @@ TEST_F(DoctorCommand, ReportsAllElseWithoutFfmpeg) {
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("; draws by default\n"), HasSubstr("\n  mp4                  none\n"),
                     HasSubstr("\n  apng                 none\n"),
-                    HasSubstr("\n  1. mp4, webm, gif, apng: can't load FFmpeg:"),
+                    HasSubstr("\n  1. mp4, webm, gif, apng, prores, hevc, av1: can't load FFmpeg:"),
                     HasSubstr("libavformat.so." + format), HasSubstr("\n     remedy: install "),
                     HasSubstr("libavformat" + format + ","), Not(HasSubstr("\n  2. ")),
                     EndsWith("\nNOT READY to render: MP4 can't be encoded.\n")));

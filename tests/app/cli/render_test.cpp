@@ -158,10 +158,11 @@ TEST_F(RenderCommand, MakesTheVideosThatAreAskedFor) {
 TEST_F(RenderCommand, RefusesAFormatThatThereIsNot) {
   const ChildResult result = run({"render", "tiny.toml", "--format", "mp4,wemb"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(
-      result.error,
-      "rotatebook: --format wemb: unknown; there are \"mp4\", \"webm\", \"gif\" and \"apng\"; "
-      "did you mean \"webm\"?\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: --format wemb: unknown; there are \"mp4\", \"webm\", \"gif\", \"apng\", "
+            "\"prores\", "
+            "\"hevc\" and \"av1\"; "
+            "did you mean \"webm\"?\n");
   EXPECT_THAT(files(), IsEmpty());
 }
 
@@ -172,7 +173,7 @@ TEST_F(RenderCommand, RefusesVideosThatLoseATransparentBackground) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.error,
             "rotatebook: tiny: mp4 can't hold the transparent background of look.background; use "
-            "webm or apng as --format, or --no-mp4 for PNGs alone\n");
+            "webm, apng or prores as --format, or --no-mp4 for PNGs alone\n");
   EXPECT_THAT(files(), IsEmpty());
   EXPECT_EQ(run(render + std::vector<std::string>{"--no-png", "--format", "webm"}).status, 0);
 }
@@ -234,6 +235,18 @@ TEST_F(RenderCommand, TakesANameWithADotForAFolderThatIsThereOrEndsInASlash) {
   EXPECT_TRUE(has("takes.2/tiny.mp4") && has("takes.3/tiny.mp4"));
 }
 
+TEST_F(RenderCommand, MakesVideosForEditorsAndReplacesItsOwnAlone) {
+  const std::vector<std::string> words{"render", "tiny.toml", "-o", "a.hevc.mp4", "-o", "a.mov"};
+  const ChildResult made = run(words);
+  EXPECT_EQ(made.status, 0) << made.error;
+  EXPECT_TRUE(has("a.hevc.mp4") && has("a.mov") && has("a.poster.png"));
+  EXPECT_FALSE(has("a.mp4") || has("a.hevc.poster.png"));
+  EXPECT_EQ(run(words).status, 0);
+  write("a.mov", "an editor's own");
+  std::filesystem::remove_all(folder() / "a");
+  EXPECT_THAT(run(words).error, HasSubstr("a.mov was left by no render"));
+}
+
 TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
   write("b.toml", kTiny);
   const auto refusal = [this](const std::vector<std::string>& words) {
@@ -243,9 +256,11 @@ TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
     EXPECT_EQ(result.status, 2);
     return result.error;
   };
-  EXPECT_EQ(refusal({"-o", "a.mov"}),
-            "rotatebook: --output a.mov: no video ends in \".mov\"; there are \".mp4\", "
-            "\".webm\", \".gif\" and \".apng\"; for a folder of this name, write a.mov/\n");
+  EXPECT_EQ(
+      refusal({"-o", "a.mkv"}),
+      "rotatebook: --output a.mkv: no video ends in \".mkv\"; there are \".mp4\", \".webm\", "
+      "\".gif\", \".apng\", \".mov\", \".hevc.mp4\" and \".av1.mp4\"; for a folder of this name, "
+      "write a.mkv/; did you mean \".mov\"?\n");
   EXPECT_THAT(refusal({"-o", "a.mp5"}), EndsWith("write a.mp5/; did you mean \".mp4\"?\n"));
   EXPECT_EQ(refusal({"-o", "A.B.MP4"}),
             "rotatebook: --output A.B.MP4: videos end in small letters; write A.B.mp4\n");

@@ -192,8 +192,8 @@ TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
     const fs::path video = folder_ / name;
     EXPECT_EQ(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
               video.string() +
-                  " names no video format; use the ending .mp4, .webm, .gif or "
-                  ".apng");
+                  " names no video format; use the ending .mp4, .webm, .gif, "
+                  ".apng, .mov, .hevc.mp4 or .av1.mp4");
     EXPECT_FALSE(fs::exists(video));
   }
 }
@@ -293,7 +293,7 @@ TEST_F(Assemble, LosesNoTransparency) {
   const std::string lost = third + " has transparent pixels, which ";
   EXPECT_EQ(inputError(FrameRate{25, 1}),
             lost +
-                "mp4 can't hold; use the ending .webm or .apng, or lay the frames over a "
+                "mp4 can't hold; use the ending .webm, .apng or .mov, or lay the frames over a "
                 "background");
   const std::vector<std::pair<std::string, std::string>> others{
       {"a.gif", "gif can't hold"},

@@ -1,13 +1,16 @@
-// WebM, GIF and APNG: what is read back is what was written.
+// All formats but MP4: what is read back is what was written.
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "system/program_mark.h"
+#include "video/clip_reader.h"
 #include "video/decoded_pictures.h"
 #include "video/decoded_video.h"
 #include "video/test_clip.h"
@@ -53,7 +56,7 @@ VideoSettings settingsAt(FrameRate rate) {
 /// Writes kPictures pictures of the disc.
 fs::path write(VideoFormat format, const VideoSettings& settings, const std::string& name,
                std::uint8_t alpha = 255) {
-  const fs::path path = outputFolder() / (name + "." + std::string(nameOf(format)));
+  const fs::path path = outputFolder() / (name + std::string(rowOf(format).ending));
   VideoWriter writer(format, path, settings);
   for (int n = 0; n < kPictures; ++n) writer.write(discPicture(n, alpha).view());
   writer.finish();
@@ -121,6 +124,61 @@ TEST(Gif, TakesEverySecondPictureOfAFastClip) {
   EXPECT_LT(leastPsnr(decoded, 1), kAlike);
 }
 
+/// Least likeness of all pictures, which must be at their times, and of each to the next one. [dB]
+struct Likeness {
+  double own = 0, next = 0;
+};
+
+Likeness likenessOf(VideoFormat format) {
+  const DecodedPictures decoded = decodePictures(write(format, settingsAt({30000, 1001}), "times"));
+  EXPECT_EQ(decoded.pictures.size(), kPictures);
+  for (std::size_t n = 0; n < decoded.pictures.size(); ++n)
+    EXPECT_NEAR(decoded.pictures[n].time, static_cast<double>(n) * 1001 / 30000, 1e-6) << n;
+  EXPECT_NEAR(decoded.duration, kPictures * 1001 / 30000.0, 1e-6);
+  return {leastPsnr(decoded), leastPsnr(decoded, 1, 1)};
+}
+
+TEST(EditorFormats, HoldEveryPictureAtItsTime) {
+  const Likeness prores = likenessOf(VideoFormat::ProRes);
+  EXPECT_GT(prores.own, 50);   // measured 58.0
+  EXPECT_LT(prores.next, 35);  // measured 25.9
+  const Likeness hevc = likenessOf(VideoFormat::Hevc);
+  EXPECT_GT(hevc.own, 29.5);   // measured 30.8
+  EXPECT_LT(hevc.next, 29.5);  // measured 28.2
+  const Likeness av1 = likenessOf(VideoFormat::Av1);
+  EXPECT_GT(av1.own, 29.5);   // measured 30.3
+  EXPECT_LT(av1.next, 29.5);  // measured 26.9
+}
+
+TEST(EditorFormats, HoldNoRecordAndSaySo) {
+  for (const auto& [format, title] : {std::pair(VideoFormat::ProRes, "prores"),
+                                      {VideoFormat::Hevc, "hevc"},
+                                      {VideoFormat::Av1, "av1"}}) {
+    VideoSettings settings = settingsAt({30, 1});
+    settings.comment = "a record";
+    const fs::path path = write(format, settings, "record");
+    EXPECT_EQ(contentOf(path).find("a record"), std::string::npos);
+    EXPECT_TRUE(system::hasProgramMark(path));
+    try {
+      readClipMetadata(path);
+      ADD_FAILURE() << title;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(std::string(" is in the format ") + title +
+                                          ", which holds no record of the scene; MP4 and WebM do"));
+    }
+  }
+}
+
+TEST(EditorFormats, HaveTheSameBytesWhateverTheNumberOfThreads) {
+  for (const VideoFormat format : {VideoFormat::ProRes, VideoFormat::Hevc, VideoFormat::Av1}) {
+    VideoSettings settings = settingsAt({30, 1});
+    settings.threads = 1;
+    const std::string one = contentOf(write(format, settings, "one"));
+    settings.threads = 3;
+    EXPECT_EQ(one, contentOf(write(format, settings, "three"))) << nameOf(format);
+  }
+}
+
 TEST(GifAndApng, LoopForEver) {
   EXPECT_THAT(contentOf(write(VideoFormat::Gif, settingsAt({50, 1}), "loops")),
               HasSubstr(std::string("NETSCAPE2.0\x03\x01\0\0", 15)));
@@ -128,11 +186,11 @@ TEST(GifAndApng, LoopForEver) {
   EXPECT_THAT(apng, HasSubstr(std::string("acTL\0\0\0\x14\0\0\0\0", 12)));
 }
 
-TEST(WebMAndApng, KeepTransparency) {
+TEST(WebMApngAndProRes, KeepTransparency) {
   constexpr int kAlphaBound = 4;  // of 255; measured 0
   VideoSettings settings = settingsAt({30, 1});
   settings.transparent = true;
-  for (const VideoFormat format : {VideoFormat::WebM, VideoFormat::Apng}) {
+  for (const VideoFormat format : {VideoFormat::WebM, VideoFormat::Apng, VideoFormat::ProRes}) {
     const DecodedPictures decoded = decodePictures(write(format, settings, "transparent", 0));
     ASSERT_EQ(decoded.pictures.size(), kPictures) << nameOf(format);
     const image::Image& picture = decoded.pictures[5].picture;
@@ -153,13 +211,14 @@ TEST(WebMAndApng, AreOpaqueUnlessAsked) {
 TEST(Formats, RefuseTransparencyThatTheyCanNotHold) {
   VideoSettings settings = settingsAt({30, 1});
   settings.transparent = true;
-  for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::Gif}) {
+  for (const VideoFormat format :
+       {VideoFormat::Mp4, VideoFormat::Gif, VideoFormat::Hevc, VideoFormat::Av1}) {
     try {
       write(format, settings, "refused");
       ADD_FAILURE() << nameOf(format);
     } catch (const InputError& error) {
       EXPECT_EQ(error.what(), std::string(nameOf(format)) +
-                                  " can't hold a transparent picture; webm and apng can");
+                                  " can't hold a transparent picture; webm, apng and prores can");
     }
   }
 }

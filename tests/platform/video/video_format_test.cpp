@@ -7,17 +7,22 @@ namespace rotatebook::video {
 namespace {
 
 TEST(VideoFormat, IsListedInWords) {
-  EXPECT_EQ(listFormats(&FormatRow::name, "and"), "mp4, webm, gif and apng");
-  EXPECT_EQ(listFormats(&FormatRow::ending, "or"), ".mp4, .webm, .gif or .apng");
+  EXPECT_EQ(listFormats(&FormatRow::name, "and"), "mp4, webm, gif, apng, prores, hevc and av1");
+  EXPECT_EQ(listFormats(&FormatRow::ending, "or"),
+            ".mp4, .webm, .gif, .apng, .mov, .hevc.mp4 or .av1.mp4");
   EXPECT_EQ(listFormats(&FormatRow::title, "and", &FormatRow::holdsRecord), "MP4 and WebM");
-  EXPECT_EQ(listFormats(&FormatRow::name, "or", &FormatRow::keepsTransparency), "webm or apng");
+  EXPECT_EQ(listFormats(&FormatRow::name, "or", &FormatRow::keepsTransparency),
+            "webm, apng or prores");
 }
 
-TEST(VideoFormat, HasAnEndingThatIsItsName) {
+TEST(VideoFormat, HasAnEndingByWhichItIsFound) {
   for (const FormatRow& row : kFormatRows) {
-    EXPECT_EQ(row.ending, "." + std::string(row.name));
+    EXPECT_EQ(formatOfName("a clip" + std::string(row.ending)), row.format) << row.name;
     EXPECT_EQ(nameOf(row.format), row.name);
+    EXPECT_TRUE(row.ending.ends_with("." + std::string(row.muxer))) << row.name;
   }
+  EXPECT_EQ(formatOfName("a.mp4.avi"), std::nullopt);
+  EXPECT_EQ(formatOfName("hevc.mp4"), VideoFormat::Mp4);
 }
 
 TEST(VideoFormat, NamesWhatReadsIt) {

@@ -29,6 +29,13 @@ throws() {
   [ "$shown" = "$expected" ] || { echo "$1: $shown, not $expected" >&2; exit 1; }
   step "examples/throw, $1: $shown"
 }
+# The motion of examples/clip.cpp as a video, where the program is built.
+draws() {
+  [ -x build/release/rotatebook ] || return 0
+  local program=$PWD/build/release
+  (cd "$build/installed" && rm -f motion.* && PATH="$program:$PATH" ./clip > clip.log && "$program/rotatebook" verify motion.mp4 > clip.log)
+  step "examples/clip: $(tail -2 "$build/installed/clip.log" | head -1 | cut -c1-60)"
+}
 expected="2 flips, motion 496a5d3b94ba3d62b27d8e72f7542f28"
 
 # Runs the tests of the build NAME that OPTIONS of ctest choose: tested NAME OPTIONS...
@@ -55,6 +62,7 @@ if [ "$quick" ]; then
   step "clang++ -O3: the same bits, also without FMA and AVX2"
   install_build clang
   throws installed "" -DCMAKE_PREFIX_PATH="$build/prefix"
+  draws
   exit
 fi
 cmake --build "$build/clang" >> "$build/clang.log"

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/judge_pack.h"
 #include "cli/recordings.h"
 #include "cli/scene_options.h"
 #include "cli/verdict_report.h"
@@ -34,6 +35,7 @@ struct JudgeArguments {
   VerdictBounds bounds;
   bool json = false;
   std::string junit;
+  std::string pack;
 };
 
 /// Prints the notes that the verdict doesn't say.
@@ -104,13 +106,23 @@ bool isScene(const std::string& file) {
   return std::filesystem::path(file).extension() == ".toml";
 }
 
-/// Throws InputError for options that none of the files takes.
+/// Throws InputError for options that none of the files takes, or a pack, or without files.
 void refuseIdleOptions(const JudgeArguments& arguments) {
   const auto& options = arguments.recording;
   const bool areOfTables = !arguments.inertia.empty() || !arguments.size.empty() ||
                            options.options.from || options.options.to ||
                            !options.options.unit.empty() || !options.options.timeUnit.empty() ||
                            !options.options.ratesAlong.empty() || !options.columns.empty();
+  const auto& bounds = arguments.bounds;
+  const bool judges = areOfTables || !arguments.scene.overrides.empty() || arguments.json ||
+                      !arguments.junit.empty() || bounds.errorDeg || bounds.energyDrift ||
+                      bounds.momentumDrift || bounds.halfTurns;
+  if (!arguments.pack.empty()) {
+    if (judges) throw InputError("--pack judges nothing; leave the options for that out");
+    return;
+  }
+  if (arguments.files.empty())
+    throw InputError("name a table or a scene to judge, or a folder with --pack");
   if (areOfTables && std::ranges::all_of(arguments.files, isScene)) {
     throw InputError(
         "--inertia, --size and the options of recordings are a table's, and there is "
@@ -122,6 +134,10 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
 
 int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
+  if (!arguments.pack.empty()) {
+    writePack(arguments.pack);
+    return statusOf(true);
+  }
   if (!arguments.junit.empty()) {
     requireAbsentOr(arguments.junit, kJunitBeginning);
     for (const std::string& file : arguments.files)
@@ -163,15 +179,18 @@ void addJudgeCommand(CLI::App& program, Action& action) {
   auto [command, arguments] =
       addCommand(program, action, "judge",
                  "Compare recorded motions, or a scene's, with the exact ones", judgeAll);
-  command.add_option("FILE", arguments.files, "Tables of motions (CSV), or scenes (TOML)")
-      ->required()
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const files =
+      command.add_option("FILE", arguments.files, "Tables of motions (CSV), or scenes (TOML)")
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   addOption(command, "--inertia", "IX,IY,IZ", arguments.inertia,
             "Principal moments of a table's body");
   addOption(command, "--size", "X,Y,Z", arguments.size, "Edges of a table's solid cuboid instead");
   command.add_flag("--json", arguments.json, "Print one JSON object");
   addOption(command, "--junit", "FILE", arguments.junit,
             "Write JUnit's XML, a test case for each bound");
+  addOption(command, "--pack", "DIR", arguments.pack,
+            "Judge nothing, but write starts, exact states and bounds for an engine's own tests")
+      ->excludes(files);
   repeated(addOption(command, "--set", "KEY=VALUE", arguments.scene.overrides,
                      "Override a key of the scenes"));
   command.add_flag("--allow-outside", arguments.scene.allowOutside,
@@ -191,7 +210,8 @@ judged: what is wrong with it is said, and the exit status is 1.
 Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04
   rotatebook judge motion.csv --inertia 1,2,2.5 --max-error-deg 1 --junit judged.xml
-  rotatebook judge scenes/starter.toml --half-turns)");
+  rotatebook judge scenes/starter.toml --half-turns
+  rotatebook judge --pack exact)");
 }
 
 }  // namespace rotatebook::cli

@@ -19,7 +19,7 @@ from rotatebook import Scene, SceneError
 
 SOURCE = pathlib.Path(os.environ["ROTATEBOOK_SOURCE"])
 THROW = '[initial]\nangular_velocity = [5.0, 0.05, 0.0]\n[clip]\nduration = 2\n'
-# The longest motion takes half a minute of a busy processor: with ROTATEBOOK_ALL_SCENES alone.
+# The longest motion takes 7 s of a processor: with ROTATEBOOK_ALL_SCENES alone.
 LONG = {"particles-beside-rigid"}
 
 
@@ -77,7 +77,7 @@ class Motions(unittest.TestCase):
         Scene(THROW.replace("2\n", "200\n")).simulate()
         ended.append(True)
         thread.join()
-        self.assertGreater(counted[0], 20)  # Measured 150; with the lock kept it is one a slice of 20 ms.
+        self.assertGreater(counted[0], 20)  # Measured 64 to 141; with the lock kept it is one a slice, some 8.
 
     def test_end_by_ctrl_c_at_once(self):
         program = ("import rotatebook, time\n"
@@ -91,7 +91,7 @@ class Motions(unittest.TestCase):
         said, _ = child.communicate(timeout=60)
         ended = re.search(r"ended (\S+)", said)
         self.assertTrue(ended, said)
-        self.assertLess(float(ended[1]) - pressed, 0.1)  # Measured 0.02.
+        self.assertLess(float(ended[1]) - pressed, 0.1)  # Measured up to 0.03, on busy processors.
 
 
 class Scenes(unittest.TestCase):

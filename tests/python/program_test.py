@@ -52,7 +52,7 @@ class Clips(unittest.TestCase):
         pressed = time.monotonic()
         child.send_signal(signal.SIGINT)
         said, _ = child.communicate(timeout=60)
-        self.assertLess(float(said) - pressed, 0.1)  # Measured 0.05.
+        self.assertLess(float(said) - pressed, 0.1)  # Measured 0.02 to 0.04, on busy processors.
 
 
 class Judging(unittest.TestCase):

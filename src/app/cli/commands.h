@@ -22,6 +22,7 @@ using AddCommand = void(CLI::App& program, Action& action);
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";
+inline constexpr const char* kStack = "--stack";  ///< Its option: the file with the other's stack.
 inline constexpr const char* kResumable = "--resumable";  ///< Its flag: the other had --resume.
 
 /// A command, and the arguments that its options set.

@@ -5,7 +5,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <exception>
+#include <execinfo.h>
 #include <new>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include "cli/exit_code.h"
@@ -31,6 +33,27 @@ void printCrash(std::string_view problem) {
   }
 }
 
+/// In memory; kept open for the process that takes the place of this one.
+std::atomic<int> stackFile = -1;
+
+/// Writes this thread's stack, but not over that of a process before this one. Safe in a handler,
+/// as `backtrace` has been called before.
+void keepStack() {
+  if (lseek(stackFile, 0, SEEK_END) != 0) return;
+  std::array<void*, 40> frames{};
+  const int count = backtrace(frames.data(), static_cast<int>(frames.size()));
+  backtrace_symbols_fd(frames.data(), count, stackFile);
+}
+
+void printStack() {
+  std::array<char, 1024> text;
+  if (lseek(stackFile, 0, SEEK_SET) != 0) return;
+  ssize_t size = 0;
+  while ((size = read(stackFile, text.data(), text.size())) > 0) {
+    if (write(STDERR_FILENO, text.data(), static_cast<std::size_t>(size)) != size) return;
+  }
+}
+
 std::atomic<pid_t> crashedThread = 0;
 
 extern "C" void onCrash(int signal) {
@@ -38,7 +61,9 @@ extern "C" void onCrash(int signal) {
   pid_t first = 0;
   const bool isFirst = crashedThread.compare_exchange_strong(first, gettid());
   while (!isFirst && first != gettid()) pause();
+  keepStack();
   system::becomeCrashSuccessor(signal);
+  printStack();
   printCrash(kCrash);
   std::signal(signal, SIG_DFL);
   raise(signal);
@@ -82,7 +107,18 @@ std::string_view crashAdvice() {
   return mayResume ? kResume : std::string_view("\n");
 }
 
+int crashStackFile() {
+  return stackFile;
+}
+
+void takeCrashStack(int file) {
+  stackFile = file;
+}
+
 void reportCrashes() {
+  stackFile = memfd_create("stack", 0);
+  std::array<void*, 1> frame{};
+  backtrace(frame.data(), 1);  // Its first call loads a library, which no handler may.
   std::set_new_handler(onOutOfMemory);
   terminateOtherwise = std::set_terminate(onTerminate);
   struct sigaction action {};

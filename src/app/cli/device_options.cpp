@@ -73,6 +73,7 @@ render::DeviceChoice DeviceOptions::choice(bool resumable) const {
   render::DeviceChoice choice = parsed();
   std::vector<std::string> successor{"rotatebook", kAfterCrash};
   std::ranges::move(words(), std::back_inserter(successor));
+  successor.push_back(fmt::format("{}={}", kStack, crashStackFile()));
   if (resumable) {
     adviseResume();
     successor.emplace_back(kResumable);

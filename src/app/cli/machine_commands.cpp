@@ -237,6 +237,7 @@ namespace {
 struct CrashArguments {
   DeviceOptions deviceOptions;
   bool resumable = false;
+  int stackFile = -1;
   int signal = SIGABRT;
 };
 
@@ -252,6 +253,7 @@ int explain(const CrashArguments& arguments) {
   } catch (...) {
     reportError(std::current_exception(), "the drivers can't be tried: ");
   }
+  takeCrashStack(arguments.stackFile);
   return raise(arguments.signal);  // Reported by the handler of crashes.
 }
 
@@ -262,6 +264,7 @@ void addAfterCrashCommand(CLI::App& program, Action& action) {
       addCommand(program, action, kAfterCrash, "Explain the crash of a command", explain);
   command.group("");  // Hidden.
   arguments.deviceOptions.addTo(command);
+  command.add_option(kStack, arguments.stackFile);
   command.add_flag(kResumable, arguments.resumable);
   command.add_option("SIGNAL", arguments.signal)->required();
 }

@@ -235,6 +235,7 @@ TEST_F(DriverCrash, IsToldFromOneOfTheProgram) {
   const ChildResult result = run(render, settings);
   if (result.error.find(kSanitizer) != std::string::npos) GTEST_SKIP();
   EXPECT_EQ(result.status, 128 + SIGSEGV);
+  EXPECT_THAT(result.error, HasSubstr("/rotatebook(+0x"));
   EXPECT_THAT(result.error, HasSubstr("rotatebook: crashed, in its own code or in a driver"));
 }
 

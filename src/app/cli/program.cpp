@@ -17,8 +17,10 @@
 #include "base/text.h"
 #include "base/version.h"
 #include "cli/commands.h"
+#include "cli/completion.h"
 #include "cli/crash_handler.h"
 #include "cli/exit_code.h"
+#include "cli/manual_page.h"
 #include "cli/progress_line.h"
 #include "cli/terminal.h"
 #include "cli/usage.h"
@@ -266,13 +268,28 @@ int runProgram(int argc, char** argv) {
 }
 
 void addHelpCommand(CLI::App& program, Action& action) {
-  auto name = std::make_shared<std::string>();
+  struct Arguments {
+    std::string name, shell;
+    bool manual = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("help", "Describe the program, or one command");
-  command->add_option("COMMAND", *name, "Command to describe");
-  command->footer("\nExample:\n  rotatebook help render");
-  command->callback([name, &program, &action] {
-    action = [name, &program] {
-      std::cout << helpOf(program, *name);
+  command->add_option("COMMAND", arguments->name, "Command to describe");
+  command->add_flag("--man", arguments->manual, "Print the manual page, for man -l -");
+  addOption(*command, "--completion", "SHELL", arguments->shell,
+            "Print what has bash, zsh or fish complete command lines");
+  command->footer(R"(
+'make install' and the Debian package install both: man rotatebook.
+
+Examples:
+  rotatebook help render
+  source <(rotatebook help --completion bash))");
+  command->callback([arguments, &program, &action] {
+    action = [arguments, &program] {
+      const auto& [name, shell, isManual] = *arguments;
+      std::cout << (isManual         ? manualPage(program)
+                    : !shell.empty() ? completionScript(program, shell)
+                                     : helpOf(program, name));
       return kDone;
     };
   });

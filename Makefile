@@ -12,7 +12,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check type-check lint textures install portable clean
+.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check type-check lint textures install deb portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -36,6 +36,7 @@ help:
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make install PREFIX=DIR   install the program, and the core as a CMake package (default /usr/local)'
+	@echo 'make deb                 make a Debian package of the program, in build/deb/'
 	@echo 'make portable            make a folder, and its archive, that run without anything being installed'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
@@ -88,6 +89,16 @@ test-play-browsers: program play
 PREFIX ?= /usr/local
 install: program
 	cmake --install $(BUILD) --prefix $(PREFIX)
+
+# For the system that it is made on, and those with the same libraries. All its times are the last commit's; so is its
+# maintainer, unless Debian's variables name another.
+deb: export DEBFULLNAME ?= $(shell git log -1 --format=%an)
+deb: export DEBEMAIL ?= $(shell git log -1 --format=%ae)
+deb: program
+	@scripts/setup.sh deb
+	@rm -f build/deb/*.deb
+	SOURCE_DATE_EPOCH=$$(git log -1 --format=%ct) cpack --config $(BUILD)/CPackConfig.cmake \
+	  -D CPACK_PACKAGE_CONTACT="$$DEBFULLNAME <$$DEBEMAIL>" -B build/deb
 
 # On Debian 12, whose glibc is the oldest that it then runs with.
 portable: program

@@ -101,3 +101,27 @@ make_machine() {
   fi
   if [ -n "$base" ]; then cp -a "$base" "$folder"; else bootstrap "$folder"; fi
 }
+
+# Gives the machine what it takes from this one, so that apt works there.
+connect() {
+  local etc=$folder/etc certificates=/usr/local/share/ca-certificates
+  if [ -n "$(sources)" ]; then sources | sed 's/^/deb /' >"$etc/apt/sources.list"; fi
+  apt-config dump --format '%F "%v";%n' Acquire | grep -E '^Acquire::(https?|Check-|Retries)' >"$etc/apt/apt.conf.d/90host" || true
+  cp -L /etc/resolv.conf "$etc/"
+  [ ! -e /etc/hosts ] || cp -L /etc/hosts "$etc/"
+  [ ! -d $certificates ] || { mkdir -p "$folder$certificates" && cp -rL $certificates/. "$folder$certificates/"; }
+}
+
+# Runs a command line on the machine, in /root/rotatebook once it is there.
+on_machine() {
+  say "\$ $1"
+  local began=$SECONDS status=0 proxies=() name
+  for name in http_proxy https_proxy no_proxy; do
+    [ -z "${!name:-}" ] || proxies+=("$name=${!name}")
+  done
+  apart sh -c 'mount -t proc proc "$0/proc" && { mount -t devpts -o newinstance,ptmxmode=0666 devpts "$0/dev/pts" || true; } &&
+    exec chroot "$0" env -i "$@"' "$folder" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
+    "${proxies[@]}" sh -c "cd; cd rotatebook 2>/dev/null; $1" </dev/null || status=$?
+  [ $status = 0 ] || fail "$1 (exit status $status)"
+  say "done in $((SECONDS - began)) s: $1"
+}

@@ -32,31 +32,6 @@ while [ $# -gt 0 ]; do
 done
 require_means
 
-# Gives the machine what it takes from this one.
-connect() {
-  local etc=$folder/etc certificates=/usr/local/share/ca-certificates
-  if [ -n "$(sources)" ]; then sources | sed 's/^/deb /' >"$etc/apt/sources.list"; fi
-  apt-config dump --format '%F "%v";%n' Acquire | grep -E '^Acquire::(https?|Check-|Retries)' >"$etc/apt/apt.conf.d/90host" || true
-  cp -L /etc/resolv.conf "$etc/"
-  [ ! -e /etc/hosts ] || cp -L /etc/hosts "$etc/"
-  [ ! -d $certificates ] || { mkdir -p "$folder$certificates" && cp -rL $certificates/. "$folder$certificates/"; }
-  git clone --quiet --bare "file://$root" "$folder/root/rotatebook.git"
-}
-
-# Runs a command line on the machine, in the folder of the clone once it is there.
-on_machine() {
-  say "\$ $1"
-  local began=$SECONDS status=0 proxies=() name
-  for name in http_proxy https_proxy no_proxy; do
-    [ -z "${!name:-}" ] || proxies+=("$name=${!name}")
-  done
-  apart sh -c 'mount -t proc proc "$0/proc" && { mount -t devpts -o newinstance,ptmxmode=0666 devpts "$0/dev/pts" || true; } &&
-    exec chroot "$0" env -i "$@"' "$folder" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
-    "${proxies[@]}" sh -c "cd; cd rotatebook 2>/dev/null; $1" </dev/null || status=$?
-  [ $status = 0 ] || fail "$1 (exit status $status)"
-  say "done in $((SECONDS - began)) s: $1"
-}
-
 # The README's first command `make WORD ...`, from its blocks of code.
 readme_command() {
   local line
@@ -69,6 +44,7 @@ readme_command() {
 [ -z "$(git -C "$root" status --porcelain)" ] || say "what isn't committed is left out"
 make_machine
 connect
+git clone --quiet --bare "file://$root" "$folder/root/rotatebook.git"
 
 on_machine "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && apt-get install -q -y --no-install-recommends git make ca-certificates"
 on_machine "git clone --quiet rotatebook.git rotatebook"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs the portable folder on a bare machine: a minimal Debian 12 without Mesa, fonts, /dev/dri and HOME, as root and as nobody. It
 # looks for devices, renders, and proves what it rendered, and each file must be that of the program that the folder was made from.
+# The machine is made by the Dockerfile's steps, and README's line unpacks and runs the archive here.
 #
 #   tests/portable.sh [ARCHIVE]   by default the archive that `make portable` has left in build/portable
 #
@@ -45,12 +46,36 @@ on_machine() {
   [ $status = 0 ] || fail "$user: ${variables[*]} rotatebook $* (exit status $status)"
 }
 
+# Makes a container of the machine, by the steps of the Dockerfile: Docker itself needn't be here.
 unpack() {
-  mkdir -p "$folder/opt"
-  tar -xf "$archive" -C "$folder/opt"
-  ln -s "/opt/$name/bin/rotatebook" "$folder/usr/bin/rotatebook"
+  local step words
+  while read -r step words; do
+    case $step in
+      FROM) [[ $words == debian:12* ]] || fail "the machine is Debian 12, and the Dockerfile's $words" ;;
+      ADD)
+        # shellcheck disable=SC2053  # A pattern.
+        [[ $root/build/portable/${archive##*/} == $root/${words% *} ]] || fail "the Dockerfile doesn't add ${archive##*/}"
+        mkdir -p "$folder${words#* }" && tar -xf "$archive" -C "$folder${words#* }" ;;
+      RUN) chroot "$folder" sh -c "$words" || fail "$words" ;;
+      ENTRYPOINT) [ "$words" = '["rotatebook"]' ] || fail "the container runs $words" ;;
+      "" | "#"* | WORKDIR | CMD) ;;
+      *) fail "what is $step in the Dockerfile?" ;;
+    esac
+  done <"$root/Dockerfile"
   [ ! -e "$folder/dev/dri" ] || fail "the machine has /dev/dri"
   [ ! -e "$folder/etc/fonts" ] || fail "the machine has fonts"
+}
+
+# README's line that unpacks and runs, here, as the machine has no xz.
+run_line() {
+  local line
+  line=$(sed -n 's/ *#.*//; /^tar -xf /p' "$root/README.md")
+  mkdir "$temporary/line"
+  ln -s "$archive" "$temporary/line/"
+  env -C "$temporary/line" sh -c "$line" >"$temporary/doctor" || { cat "$temporary/doctor"; fail "$line"; }
+  grep -q '^Ready to render' "$temporary/doctor" || fail "$line"
+  rm -r "$temporary/line"
+  say "done: $line"
 }
 
 # The files of the program that is here, from the folder's scene.
@@ -97,6 +122,7 @@ check_variables() {
 
 make_machine
 unpack
+run_line
 render_here
 for user in root nobody; do
   check_doctor $user

@@ -85,8 +85,11 @@ struct NotRun {
   std::string_view reason;
 };
 
-constexpr std::array<NotRun, 6> kNotRun{{
+constexpr std::array<NotRun, 9> kNotRun{{
     {"git clone ADDRESS ", "needs the address of the project, and a network"},
+    {"apt install ", "needs root; tests/deb.sh runs it on a bare machine"},
+    {"tar -xf ", "needs the archive; tests/portable.sh runs it on a bare machine"},
+    {"docker ", "needs a daemon; tests/portable.sh takes the steps of the Dockerfile"},
     {"export PATH=", "would find another build; the test sets its own"},
     {"pip install ./python", "is done by tests/python, in an environment of its own"},
     {"rotatebook submit render my.toml -o clips --slurm", "needs a cluster; tests/slurm has one"},

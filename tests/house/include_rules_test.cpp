@@ -139,8 +139,9 @@ bool isStandard(const std::string& header) {
 }
 
 bool isOperatingSystem(const std::string& header) {
-  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h",   "pwd.h", "dlfcn.h",
-                                              "link.h",   "sched.h", "spawn.h", "sys/"};
+  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h",   "grp.h",   "pwd.h",
+                                              "dlfcn.h",  "link.h",    "sched.h", "spawn.h",
+                                              "sys/",     "execinfo.h"};
   return startsWithOneOf(header, kHeaders);
 }
 

@@ -39,6 +39,7 @@ struct SubmitArguments {
   std::string folder = "out";
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
+  bool noPng = false;
   bool slurm = false;
   std::string plan;
   bool dryRun = false;
@@ -124,26 +125,38 @@ PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
   for (const video::VideoFormat format : wishes.formats) names.emplace_back(nameOf(format));
   wishes.joinArguments = names.empty() ? std::vector<std::string>{"--no-mp4"}
                                        : std::vector<std::string>{"--format", joined(names, ",")};
+  if (arguments.noPng) wishes.joinArguments.emplace_back(farm::kNoPng);
   return wishes;
+}
+
+/// Divides a plan by these efforts: clips that are short, or have no PNGs to join, stay whole.
+void divide(farm::Plan& plan, const std::vector<farm::Effort>& efforts,
+            const SubmitArguments& arguments, const farm::Slots& slots) {
+  if (!arguments.noPng) {
+    const std::vector<std::int64_t> parts =
+        arguments.chunk > 0 ? farm::partsOfChunk(efforts, arguments.chunk, slots)
+                            : farm::partsOf(efforts, slots);
+    for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
+  }
+  if (!farm::makesWholeClips(plan)) return;
+  const std::vector<bool> starts = farm::tasksOfWholes(efforts, arguments.chunk, slots);
+  for (std::size_t i = 0; i < starts.size(); ++i) plan.scenes[i].startsTask = starts[i];
 }
 
 /// Divides a plan by what is measured here, or by --chunk.
 void divide(farm::Plan& plan, const std::vector<SceneOfFile>& scenes,
             const SubmitArguments& arguments, const farm::Slots& slots) {
-  std::vector<std::int64_t> parts;
-  if (arguments.chunk > 0) {
-    parts = farm::partsOfChunk(unmeasuredEfforts(plan), arguments.chunk, slots);
-  } else {
-    try {
-      parts = farm::partsOf(measureEfforts(plan, scenes, arguments.deviceOptions.parsed()), slots);
-    } catch (const MachineError& error) {
-      throw MachineError(
-          fmt::format("can't measure how fast a task is: {}; say how many {} each is "
-                      "to have with --chunk",
-                      error.what(), farm::unitsOf(plan.work)));
-    }
+  std::vector<farm::Effort> efforts = unmeasuredEfforts(plan);
+  try {
+    if (arguments.chunk == 0)
+      efforts = measureEfforts(plan, scenes, arguments.deviceOptions.parsed());
+  } catch (const MachineError& error) {
+    throw MachineError(
+        fmt::format("can't measure how fast a task is: {}; say how many {} each is "
+                    "to have with --chunk",
+                    error.what(), farm::unitsOf(plan.work)));
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
+  divide(plan, efforts, arguments, slots);
 }
 
 /// Returns the plan to go on with, or a new one, divided.
@@ -215,12 +228,14 @@ Divides the work into tasks of some minutes, by the time that a few frames take 
 and sends them to Slurm as one array job, and a job that joins their results in DIR, which all
 machines see. Tasks that are killed are tried again, and go on. The same command once more sends only
 what is missing. What is sent is in DIR/farm, as text; 'rotatebook status DIR' shows what becomes of it.
-A study is one task. --plan prints the tasks, for machines without Slurm.
+A study is one task. A task takes several clips if they are short, or have no PNGs; then nothing is
+joined. --plan prints the tasks, for machines without Slurm.
 
 Examples:
   rotatebook submit render my.toml -o /shared/clips --slurm --partition cpu --time 1:00:00
   rotatebook submit map scenes/maps/*.toml -o /shared/maps --slurm --sbatch=--qos=low
-  rotatebook submit render my.toml --plan parallel > farm.sh)";
+  rotatebook submit render my.toml --plan parallel > farm.sh
+  rotatebook submit render clips/*.toml --no-png --plan list)";
 
 void addJobOptions(CLI::App& command, SubmitArguments& arguments, CLI::Option* slurm) {
   constexpr const char* kSlurm = "Slurm";
@@ -261,10 +276,12 @@ void addSubmitCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   addFormats(command, arguments.formats);
   command.add_flag("--no-mp4", arguments.noMp4, "Write no MP4")->group("Clip");
+  command.add_flag(farm::kNoPng, arguments.noPng, "Write no PNG frames: a task takes whole clips")
+      ->group("Clip");
   addJobOptions(command, arguments, slurm);
   arguments.sceneOptions.addTo(command);
   arguments.deviceOptions.addTo(command);
-  for (const char* name : {"--format", "--no-mp4", "--device", "--require-hardware"})
+  for (const char* name : {"--format", "--no-mp4", farm::kNoPng, "--device", "--require-hardware"})
     arguments.ofRender.push_back(command.get_option(name));
   command.footer(kSubmitFooter);
 }

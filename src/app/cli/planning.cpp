@@ -18,11 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kStartOfClip = 0.6;  ///< Of a task, without its simulation: measured. [s]
-constexpr double kStartOfMap = 0.2;   ///< [s]
-constexpr double kWithPng = 1.4;      ///< Drawing and compression over drawing: measured 1.44.
-constexpr double kShortest = 1e-4;    ///< Of a frame or tile; shorter is taken for it. [s]
-constexpr double kLongEnough = 1;     ///< Of a measurement. [s]
+constexpr double kStartOfClip = 0.6;     ///< Of a task, without its simulation: measured. [s]
+constexpr double kStartOfMap = 0.2;      ///< [s]
+constexpr double kWithPng = 1.4;         ///< Drawing and compression over drawing: measured 1.44.
+constexpr double kShortest = 1e-4;       ///< Of a frame or tile; shorter is taken for it. [s]
+constexpr double kLongEnough = 1;        ///< Of a measurement. [s]
+constexpr std::size_t kMaxMeasured = 8;  ///< Clips.
 
 /// The time that a task's cores would take: the processors' time shared between them, or the
 /// clock's, where another device draws.
@@ -91,6 +92,10 @@ farm::Effort effortOfClip(const SceneOfFile& one, int cores, const render::Devic
   return effort;
 }
 
+double pixelsOf(const scene::Scene& scene) {
+  return 1.0 * scene.clip.width * scene.clip.height;
+}
+
 farm::Effort effortOfMap(const scene::Scene& scene, int cores) {
   constexpr std::size_t kTries = 8;
   const study::MapRuns runs(scene);
@@ -126,9 +131,21 @@ std::vector<farm::Effort> measureEfforts(const farm::Plan& plan,
                                          const render::DeviceChoice& device) {
   if (plan.work == farm::Work::Study) return unmeasuredEfforts(plan);
   std::vector<farm::Effort> efforts;
-  for (const SceneOfFile& one : scenes) {
-    efforts.push_back(plan.work == farm::Work::Render ? effortOfClip(one, plan.cores, device)
-                                                      : effortOfMap(one.scene, plan.cores));
+  // Of many clips those between two that are measured count as the first of these
+  const std::size_t step = (scenes.size() + kMaxMeasured - 1) / kMaxMeasured;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const SceneOfFile& one = scenes[i];
+    if (plan.work == farm::Work::Map) {
+      efforts.push_back(effortOfMap(one.scene, plan.cores));
+    } else if (i % step == 0) {
+      efforts.push_back(effortOfClip(one, plan.cores, device));
+    } else {
+      farm::Effort effort = efforts.back();
+      effort.name = one.scene.name;
+      effort.unit *= pixelsOf(one.scene) / pixelsOf(scenes[i - 1].scene);
+      effort.units = plan.scenes[i].units;
+      efforts.push_back(effort);
+    }
   }
   return efforts;
 }

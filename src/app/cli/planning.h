@@ -33,7 +33,8 @@ struct PlanWishes {
 /// that can't be simulated, or has no map.
 farm::Plan planOf(const std::vector<SceneOfFile>& scenes, const PlanWishes& wishes);
 
-/// Measures the work of the plan's scenes: a few frames or tiles of each, in about a second. Throws
+/// Measures the work of the plan's scenes: a few frames or tiles of each, in about a
+/// second; of many clips, a few. Throws
 /// as FrameDrawer does if this machine can't draw.
 std::vector<farm::Effort> measureEfforts(const farm::Plan& plan,
                                          const std::vector<SceneOfFile>& scenes,

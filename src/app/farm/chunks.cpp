@@ -48,17 +48,57 @@ std::vector<std::int64_t> partsOfSize(const std::vector<Effort>& efforts, std::i
   return parts;
 }
 
-}  // namespace
+double secondsOf(const Effort& effort) {
+  return static_cast<double>(effort.units) * effort.unit;
+}
 
-std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots) {
-  requireFewScenes(efforts, slots);
+/// Returns the best time of each scene's tasks. [s]
+std::vector<double> taskTimes(const std::vector<Effort>& efforts, const Slots& slots) {
   double all = 0;
-  for (const Effort& effort : efforts) all += static_cast<double>(effort.units) * effort.unit;
+  for (const Effort& effort : efforts) all += secondsOf(effort);
   const double level = slots.atATime > 0 ? all / (kRounds * double(slots.atATime)) : 0;
   std::vector<double> seconds;
   for (const Effort& effort : efforts)
     seconds.push_back(std::max(std::min(level, kLongestTask),
                                std::min(kStartsInATask * effort.start, kLongestTask)));
+  return seconds;
+}
+
+/// Starts a task where a scene's time no longer fits into the one before.
+std::vector<bool> grouped(const std::vector<double>& times, double limit) {
+  std::vector<bool> starts;
+  double filled = 0;
+  for (const double time : times) {
+    starts.push_back(starts.empty() || filled + time > limit);
+    filled = starts.back() ? time : filled + time;
+  }
+  return starts;
+}
+
+}  // namespace
+
+std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t chunk,
+                                const Slots& slots) {
+  std::vector<double> times;
+  for (const Effort& effort : efforts)
+    times.push_back(chunk > 0 ? static_cast<double>(effort.units) : secondsOf(effort));
+  double limit =
+      chunk > 0 ? static_cast<double>(chunk) : std::ranges::max(taskTimes(efforts, slots));
+  for (;; limit *= kLonger) {
+    const std::vector<bool> starts = grouped(times, limit);
+    const auto tasks = std::ranges::count(starts, true);
+    if (slots.maxTasks == 0 || tasks <= slots.maxTasks) return starts;
+    if (chunk > 0) {
+      throw InputError(
+          fmt::format("--chunk {} makes {} tasks; the cluster takes at most {} at once", chunk,
+                      tasks, slots.maxTasks));
+    }
+  }
+}
+
+std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots) {
+  requireFewScenes(efforts, slots);
+  std::vector<double> seconds = taskTimes(efforts, slots);
   for (;;) {
     std::vector<std::int64_t> parts;
     for (std::size_t i = 0; i < efforts.size(); ++i)

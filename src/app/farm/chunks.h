@@ -27,6 +27,12 @@ struct Slots {
 /// be more than `maxTasks`. Throws InputError if there are more scenes than that.
 std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots);
 
+/// Returns of each scene whether it starts a task, where tasks take whole scenes: as many as in
+/// partsOf(), or of `chunk` units together if that isn't 0, unless a scene alone is longer. Throws
+/// InputError if there are too many for `slots`.
+std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t chunk,
+                                const Slots& slots);
+
 /// Returns the number of parts of each scene if each has `chunk` units, or fewer. Throws InputError
 /// that names the smallest chunk if there are too many.
 std::vector<std::int64_t> partsOfChunk(const std::vector<Effort>& efforts, std::int64_t chunk,

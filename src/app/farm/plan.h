@@ -13,6 +13,9 @@
 
 namespace rotatebook::farm {
 
+/// The option of plans, and of `render`, by which clips have no PNGs.
+inline constexpr const char* kNoPng = "--no-png";
+
 /// The command whose work is divided.
 enum class Work { Render, Map, Study };
 
@@ -31,6 +34,7 @@ struct PlannedScene {
   std::string values{};    ///< Of a map: store::mapFingerprint().
   std::int64_t units = 1;  ///< Frames of a clip, tiles of a map; a study is one.
   std::int64_t parts = 1;  ///< 1 to `units`
+  bool startsTask = true;  ///< False if the task of the scene before takes this one, too.
   std::vector<std::filesystem::path> outputs{};  ///< Files that are there once all is done.
 
   friend bool operator==(const PlannedScene&, const PlannedScene&) = default;
@@ -45,34 +49,39 @@ struct Plan {
   std::filesystem::path folder;              ///< Of the results; absolute.
   int cores = 1;                             ///< Of each task.
   std::vector<std::string> arguments{};      ///< Of all commands: --set and so on.
-  std::vector<std::string> joinArguments{};  ///< Of the last command alone: --format.
+  std::vector<std::string> joinArguments{};  ///< Of those that make whole clips: --format.
   std::vector<PlannedScene> scenes{};
 
   friend bool operator==(const Plan&, const Plan&) = default;
 };
 
-/// A part of a scene's work, which one process does.
+/// A part of a scene's work, or the whole of one or several scenes, which one process does.
 struct Task {
   std::int64_t number = 1;  ///< Counted through all scenes, from 1.
-  std::size_t scene = 0;
+  std::size_t scene = 0;    ///< The first.
   store::ClipPart part{};
+  std::size_t scenes = 1;  ///< The number of scenes; several are whole.
 };
 
 /// Most tasks of a plan, and most cores of a task.
 inline constexpr std::int64_t kMaxTasks = 1'000'000;
 inline constexpr int kMaxCores = 1024;
 
+/// Returns whether each task makes whole clips, so that there is nothing to join.
+bool makesWholeClips(const Plan& plan);
+/// Returns whether the clips have PNGs.
+bool leavesFrames(const Plan& plan);
 /// Returns the number of tasks.
 std::int64_t countTasks(const Plan& plan);
 /// Returns all tasks, scene by scene.
 std::vector<Task> tasksOf(const Plan& plan);
-/// Returns "part 3/16 of NAME", or "NAME" if it has a single part.
+/// Returns "part 3/16 of NAME", or "NAME" if it has a single part; "NAME and 3 more" of scenes.
 std::string describe(const Plan& plan, const Task& task);
 
 /// Returns the words of a task's command. Any number of them may run at once, anywhere, also twice.
 std::vector<std::string> commandOf(const Plan& plan, const Task& task);
-/// Returns the words of the command that joins the tasks' results, after them; none for studies,
-/// whose tasks leave nothing to join.
+/// Returns the words of the command that joins the tasks' results, after them; none for studies
+/// and whole clips, whose tasks leave nothing to join.
 std::vector<std::string> joinCommandOf(const Plan& plan);
 /// Returns the variables of the environment that the commands want, as "NAME=VALUE".
 std::vector<std::string> environmentOf(const Plan& plan);

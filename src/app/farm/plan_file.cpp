@@ -17,15 +17,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kPlanVersion = 2;
+constexpr int kPlanVersion = 3;
 
 constexpr std::int64_t kMaxUnits = 1'000'000;          ///< Of a scene; a clip has at most so many.
 constexpr std::int64_t kMaxUnitsOfPlan = 100'000'000;  ///< Of all scenes.
 constexpr std::uintmax_t kLongestPlan = 16 << 20;      ///< A scene takes some 500. [bytes]
 
 Json sceneJson(const PlannedScene& scene) {
-  return {{"file", scene.file},      {"name", scene.name},   {"checksum", scene.checksum},
-          {"values", scene.values},  {"units", scene.units}, {"parts", scene.parts},
+  return {{"file", scene.file},
+          {"name", scene.name},
+          {"checksum", scene.checksum},
+          {"values", scene.values},
+          {"units", scene.units},
+          {"parts", scene.parts},
+          {"starts_task", scene.startsTask},
           {"outputs", scene.outputs}};
 }
 
@@ -43,6 +48,7 @@ PlannedScene sceneFrom(const Json& json) {
           .values = json.at("values"),
           .units = numberIn(json, "units", kMaxUnits),
           .parts = numberIn(json, "parts", kMaxUnits),
+          .startsTask = json.at("starts_task"),
           .outputs = json.at("outputs")};
 }
 
@@ -97,6 +103,8 @@ void requireSound(const Plan& plan, const std::string& file) {
       fail(fmt::format("the scene {} has {} parts of {} {}", quotedText(scene.name), scene.parts,
                        scene.units, unitsOf(plan.work)));
     }
+    if (!scene.startsTask && !makesWholeClips(plan))
+      fail(fmt::format("the scene {} has no task", quotedText(scene.name)));
     units += scene.units;
     tasks += scene.parts;
     if (units > kMaxUnitsOfPlan) {

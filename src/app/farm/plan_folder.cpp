@@ -125,6 +125,8 @@ void writeNewPlan(const PlanFiles& files, const StoredPlan& stored) {
 
   for (const fs::path& folder : {files.log, files.ends}) system::createFolders(folder);
   for (const fs::path& file : remains) system::removeFile(file);
+  if (commands.size() == 1 && earlier && system::isPlainFile(files.join))
+    system::removeFile(files.join);
   // The plan comes first: if the process is killed, the next one knows the rest by it
   system::writeFileAtomically(files.plan, text);
   for (const TextFile& file : commands) system::writeFileAtomically(file.path, file.text);

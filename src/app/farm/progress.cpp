@@ -39,11 +39,13 @@ SceneProgress clipProgress(const Plan& plan, const PlannedScene& scene) {
     if (frame < scene.units && checksums.contains(frame))
       progress.units[static_cast<std::size_t>(frame)] = true;
   }
+  const bool areDrawn = !leavesFrames(plan) || progress.count() == scene.units;
   const bool areListed = std::ranges::all_of(scene.outputs, [&](const fs::path& output) {
     return manifest->own.files.contains(output.filename().string());
   });
-  progress.isWhole =
-      manifest->finished && areListed && areThere(scene.outputs) && progress.count() == scene.units;
+  progress.isWhole = manifest->finished && areListed && areThere(scene.outputs) && areDrawn;
+  // Of a clip without PNGs, nothing is there before all is
+  if (progress.isWhole) progress.units.assign(progress.units.size(), true);
   return progress;
 }
 
@@ -93,6 +95,13 @@ std::vector<SceneProgress> progressOf(const Plan& plan, const PlanFiles& files) 
                                             : studyProgress(scene, files));
   }
   return all;
+}
+
+bool isDone(const Plan& plan, const Task& task, const std::vector<SceneProgress>& progress) {
+  if (!makesWholeClips(plan)) return progress[task.scene].has(task.part);
+  const auto first = progress.begin() + static_cast<std::ptrdiff_t>(task.scene);
+  return std::all_of(first, first + static_cast<std::ptrdiff_t>(task.scenes),
+                     [](const SceneProgress& one) { return one.isWhole; });
 }
 
 namespace {

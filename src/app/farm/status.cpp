@@ -177,7 +177,7 @@ PlanState stateOf(const StoredPlan& stored, const PlanFiles& files) {
   known.queue = queueOf(stored.jobs, known.queueProblem);
   state.queueProblem = known.queueProblem;
   for (const Task& task : tasksOf(plan)) {
-    state.tasks.push_back(stateOfTask(task.number, progress[task.scene].has(task.part), known));
+    state.tasks.push_back(stateOfTask(task.number, isDone(plan, task, progress), known));
     state.tasks.back().name = describe(plan, task);
   }
   if (!joinCommandOf(plan).empty()) {

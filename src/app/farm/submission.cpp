@@ -141,7 +141,7 @@ namespace {
 std::vector<Task> missingOf(const Plan& plan, const std::vector<SceneProgress>& progress) {
   std::vector<Task> missing;
   for (const Task& task : tasksOf(plan))
-    if (!progress[task.scene].has(task.part)) missing.push_back(task);
+    if (!isDone(plan, task, progress)) missing.push_back(task);
   return missing;
 }
 

@@ -52,6 +52,30 @@ TEST_F(Submit, PrintsCommandsThatMakeTheClip) {
   EXPECT_GT(expectSameFiles("many", "one"), 14);
 }
 
+TEST_F(Submit, GivesATaskSeveralShortClipsAndJoinsNothing) {
+  for (const char* name : {"b.toml", "c.toml"}) write(name, kTiny);
+  const std::vector<std::string> submit{"submit", "render",   "tiny.toml", "b.toml", "c.toml",
+                                        "-o",     "many",     "--chunk",   "24",     "--plan",
+                                        "list",   "--no-png", "--format",  "mp4,gif"};
+  const std::string plan = run(submit).output;
+  EXPECT_THAT(plan, AllOf(Not(HasSubstr("--part")), Not(HasSubstr("# Once"))));
+  const std::size_t second = plan.find('\n') + 1;
+  EXPECT_THAT(runLines(plan.substr(0, second)), ElementsAre(0));
+  EXPECT_TRUE(has("many/tiny.mp4") && has("many/b.gif"));
+  EXPECT_FALSE(has("many/c.mp4") || has("many/tiny/frame_00000.png"));
+  EXPECT_THAT(run({"status", "many"}).output,
+              AllOf(HasSubstr("done: 1 of 2 tasks"), HasSubstr("waiting: 1 task")));
+  EXPECT_EQ(run(submit).output, plan.substr(second)) << "the rest";
+  EXPECT_THAT(runLines(plan.substr(second)), ElementsAre(0));
+  EXPECT_THAT(run({"status", "many"}).output, HasSubstr("render of c: done\n"));
+  EXPECT_EQ(run({"render", "tiny.toml", "b.toml", "c.toml", "-o", "one", "--no-png", "--format",
+                 "mp4,gif"})
+                .status,
+            0);
+  std::filesystem::remove_all(folder() / "many/farm");
+  EXPECT_GT(expectSameFiles("many", "one"), 14);
+}
+
 TEST_F(Submit, PrintsOnlyWhatIsMissing) {
   const std::vector<std::string> submit{"submit", "render", "tiny.toml", "-o", "many",
                                         "--plan", "list",   "--chunk",   "5"};

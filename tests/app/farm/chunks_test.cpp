@@ -1,5 +1,7 @@
 #include "farm/chunks.h"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +54,21 @@ TEST(Chunks, AreSharedBetweenScenes) {
   const std::vector<std::int64_t> parts = partsOf({kClip, {"other", 10'000, 0.03, 0.6}}, {4, 1000});
   EXPECT_THAT(parts, ElementsAre(6, 6));  // 50 s each: 3334 and 1667 frames
   EXPECT_THROW(partsOf({kClip, kClip, kClip}, {4, 2}), InputError);
+}
+
+TEST(Chunks, TakeSeveralShortClips) {
+  // 3.6 s each; a task takes at least 12 s, twenty times its start.
+  const Effort shortClip{"short", 240, 0.015, 0.6};
+  const std::vector<Effort> seven(7, shortClip);
+  EXPECT_THAT(tasksOfWholes(seven, 0, {}),
+              ElementsAre(true, false, false, true, false, false, true));
+  EXPECT_THAT(tasksOfWholes({shortClip, kClip, shortClip}, 0, {}), ElementsAre(true, true, true));
+  EXPECT_THAT(tasksOfWholes(seven, 500, {}),
+              ElementsAre(true, false, true, false, true, false, true));
+  EXPECT_THAT(tasksOfWholes(seven, 1, {}), ::testing::Each(true));
+  const auto fewer = tasksOfWholes(seven, 0, {.atATime = 0, .maxTasks = 2});
+  EXPECT_EQ(std::ranges::count(fewer, true), 2);
+  EXPECT_THROW(tasksOfWholes(seven, 500, {.atATime = 0, .maxTasks = 2}), InputError);
 }
 
 TEST(Chunks, HaveAtLeastOneUnit) {

@@ -62,8 +62,8 @@ TEST(PlanFile, RefusesWhatIsNoPlan) {
 }
 
 TEST(PlanFile, OfAnotherVersionIsRefusedByItsVersion) {
-  EXPECT_THAT(refusalOf("rotatebook_plan", "3"),
-              StartsWith("plan.json is a plan of version 3, and this program's have version 2; "));
+  EXPECT_THAT(refusalOf("rotatebook_plan", "4"),
+              StartsWith("plan.json is a plan of version 4, and this program's have version 3; "));
   const fs::path folder = emptyFolder();
   const PlanFiles files = planFiles(folder, Work::Map);
   fs::create_directories(files.folder);

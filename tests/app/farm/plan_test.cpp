@@ -43,6 +43,24 @@ TEST(Plan, JoinsAllScenesInTheEnd) {
                           "sum-of-a,sum-of-b", "--format", "gif"));
 }
 
+TEST(Plan, OfShortClipsMakesThemWholeWithoutAJoin) {
+  Plan plan = planOfClips("/out", {"a", "b", "c"});
+  EXPECT_FALSE(makesWholeClips(plan));
+  for (PlannedScene& scene : plan.scenes) scene.parts = 1;
+  plan.scenes[1].startsTask = false;
+  plan.joinArguments = {"--format", "gif", "--no-png"};
+  EXPECT_TRUE(makesWholeClips(plan));
+  EXPECT_FALSE(leavesFrames(plan));
+  EXPECT_EQ(countTasks(plan), 2);
+  EXPECT_EQ(describe(plan, tasksOf(plan)[0]), "a and 1 more");
+  EXPECT_THAT(commandOf(plan, tasksOf(plan)[0]),
+              ElementsAre("/opt/rotatebook", "render", "/scenes/a.toml", "/scenes/b.toml",
+                          "--resume", "-o", "/out", "--retry-status", "--scene-checksum",
+                          "sum-of-a,sum-of-b", "--format", "gif", "--no-png", "--jobs", "1"));
+  EXPECT_EQ(commandOf(plan, tasksOf(plan)[1])[2], "/scenes/c.toml");
+  EXPECT_THAT(joinCommandOf(plan), IsEmpty());
+}
+
 TEST(Plan, OfAMapHasAThreadForEachCore) {
   Plan plan = planOfClips("/out", {"a"});
   plan.work = Work::Map;

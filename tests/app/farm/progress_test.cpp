@@ -64,6 +64,27 @@ TEST(Progress, IsWholeOnceAllOutputsAreThere) {
   EXPECT_TRUE(progressOfFirst(plan).has({2, 5})) << "but no frame is drawn again";
 }
 
+TEST(Progress, OfWholeClipsIsThatOfTheirFiles) {
+  Plan plan = planOfClips(emptyFolder(), {"a", "b"});
+  for (PlannedScene& scene : plan.scenes) scene.parts = 1;
+  plan.scenes[1].startsTask = false;
+  const auto isFirstDone = [&] {
+    return isDone(plan, tasksOf(plan)[0], progressOf(plan, planFiles(plan.folder, plan.work)));
+  };
+  leaveClip(plan);
+  EXPECT_FALSE(isFirstDone()) << "b is missing";
+  plan.scenes[1].startsTask = true;
+  EXPECT_TRUE(isFirstDone());
+  fs::remove(plan.folder / "a/frame_00002.png");
+  EXPECT_FALSE(isFirstDone()) << "a frame is missing";
+  EXPECT_FALSE(progressOfFirst(plan).isWhole);
+  plan.joinArguments = {kNoPng};
+  EXPECT_TRUE(progressOfFirst(plan).isWhole) << "no frame is wanted";
+  EXPECT_EQ(progressOfFirst(plan).count(), plan.scenes[0].units);
+  fs::remove(plan.folder / "a.mp4");
+  EXPECT_FALSE(progressOfFirst(plan).isWhole);
+}
+
 TEST(Progress, CountsTilesOfAMap) {
   Plan plan = planOfClips(emptyFolder(), {"m"});
   plan.work = Work::Map;

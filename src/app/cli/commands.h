@@ -20,6 +20,9 @@ using AddCommand = void(CLI::App& program, Action& action);
 #include "cli/command_list.inc"
 #undef ROTATEBOOK_COMMAND
 
+/// The value of --output that is the standard output, of `still` alone.
+inline constexpr const char* kStandardOutput = "-";
+
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";
 inline constexpr const char* kStack = "--stack";  ///< Its option: the file with the other's stack.

@@ -24,6 +24,7 @@
 #include "picture/preflight.h"
 #include "plot/map_plot.h"
 #include "store/footprint.h"
+#include "store/scene_file.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -83,6 +84,9 @@ std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const Plan
   const farm::Work work = wishes.work;
   std::vector<SceneOfFile> read;
   const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
+    if (path == store::kStandardInput)
+      throw InputError(
+          "submit needs scenes in files, which each task reads; - is the standard input");
     scene::Scene scene = arguments.sceneOptions.read(path);
     if (work == farm::Work::Render) {
       picture::preflight(scene);

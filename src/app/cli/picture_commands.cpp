@@ -19,6 +19,7 @@
 #include "image/png_file.h"
 #include "picture/sheet.h"
 #include "picture/still.h"
+#include "system/program_mark.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -52,11 +53,26 @@ std::string outputOf(const StillArguments& arguments, const std::vector<scene::S
   return scenes.front().name + (arguments.isSheet() ? ".sheet.png" : ".png");
 }
 
+/// Writes a PNG to the file, or to the standard output.
+void writePicture(const std::string& output, image::ImageView picture, bool transparent) {
+  if (output != kStandardOutput) return image::writePng(output, picture, transparent);
+  std::string bytes = image::PngWriter(transparent).encode(picture, "the standard output");
+  system::addProgramMark(bytes);
+  std::cout << bytes;
+}
+
+/// Returns the stream for the report, which isn't the picture's.
+std::ostream& reportStream(const std::string& output) {
+  return output == kStandardOutput ? std::cerr : std::cout;
+}
+
 void writeOne(const scene::Scene& scene, const StillArguments& arguments,
               const std::string& output) {
-  const std::int64_t frame =
-      picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
-  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(output));
+  const auto [frame, picture] =
+      picture::drawStill(scene, arguments.time, arguments.deviceOptions.choice());
+  writePicture(output, picture.view(), scene::isTransparent(scene));
+  reportStream(output) << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame,
+                                      oneLine(output));
 }
 
 void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& arguments,
@@ -66,9 +82,9 @@ void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& a
   options.device = arguments.deviceOptions.choice();
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
-  image::writePng(output, sheet.view(), transparent);
-  std::cout << fmt::format("wrote {}, {}\n", oneLine(output),
-                           sizeText(sheet.width(), sheet.height()));
+  writePicture(output, sheet.view(), transparent);
+  reportStream(output) << fmt::format("wrote {}, {}\n", oneLine(output),
+                                      sizeText(sheet.width(), sheet.height()));
 }
 
 int writeStill(const StillArguments& arguments) {
@@ -81,7 +97,7 @@ int writeStill(const StillArguments& arguments) {
       arguments.scenes, [&](const std::string& path) { return arguments.sceneOptions.read(path); });
   if (arguments.noCaption) std::ranges::for_each(scenes, leaveOutCaption);
   const std::string output = outputOf(arguments, scenes);
-  requirePictureOutput(output, inputs);
+  if (output != kStandardOutput) requirePictureOutput(output, inputs);
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   isSheet ? writeSheet(scenes, arguments, output) : writeOne(scenes.front(), arguments, output);
@@ -97,7 +113,8 @@ void addStillCommand(CLI::App& program, Action& action) {
       program, action, "still", "Draw one picture of a scene, or several side by side", writeStill);
   command.add_option("SCENE", arguments.scenes, "Scene files")->required();
   addOption(command, "-o,--output", "FILE", arguments.output,
-            "PNG to write; by default NAME.png, or NAME.sheet.png of several pictures, in "
+            "PNG to write, or - for the standard output; by default NAME.png, or NAME.sheet.png of "
+            "several pictures, in "
             "the folder where you are");
   addOption(command, "--time", "SECONDS", arguments.time,
             "Time in the video, whose nearest frame is drawn; by default the poster's");
@@ -124,6 +141,7 @@ Examples:
   rotatebook still scenes/starter.toml
   rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080
   rotatebook still scenes/starter.toml -o sheet.png --times 0,0.5,1 --columns 3
+  rotatebook still - -o - < scenes/starter.toml > book.png
   rotatebook still scenes/figures/*.toml -o sheet.png --count 1 --size 480x270)");
 }
 

@@ -122,7 +122,7 @@ void addCommonOptions(CLI::App& program, CommonArguments& arguments) {
               kGroup)
         ->check(progressProblem);
     CLI::Option* output = command->get_option_no_throw("--output");
-    if (output != nullptr) output->check(outputProblem);
+    if (output != nullptr && command->get_name() != "still") output->check(outputProblem);
     for (CLI::Option* option : command->get_options()) {
       if (option->get_expected_max() == 1) checkLastAlone(*option);
     }
@@ -135,8 +135,11 @@ bool printsForPrograms(const CLI::App& command) {
     const CLI::Option* option = command.get_option_no_throw(one);
     if (option != nullptr && option->count() > 0) return true;
   }
-  const CLI::Option* csv = command.get_option_no_throw("--csv");
-  return csv != nullptr && csv->count() > 0 && csv->results().back() == "-";
+  for (const char* one : {"--csv", "--output"}) {
+    const CLI::Option* option = command.get_option_no_throw(one);
+    if (option != nullptr && option->count() > 0 && option->results().back() == "-") return true;
+  }
+  return false;
 }
 
 /// Returns whether `command` was asked for something on the standard output, not for a report.

@@ -13,8 +13,10 @@ namespace {
 
 constexpr double kRounds = 3;          ///< Tasks after each other on a slot.
 constexpr double kStartsInATask = 20;  ///< A start costs a twentieth.
-constexpr double kLongestTask = 300;   ///< [s]
-constexpr double kLonger = 1.1;        ///< Tasks are made longer by this until they fit.
+/// Of whole clips, which lose little if a task fails. [starts]
+constexpr double kStartsInATaskOfWholes = 40;
+constexpr double kLongestTask = 300;  ///< [s]
+constexpr double kLonger = 1.1;       ///< Tasks are made longer by this until they fit.
 
 std::int64_t ceilOf(std::int64_t units, std::int64_t chunk) {
   return units / chunk + (units % chunk != 0 ? 1 : 0);
@@ -52,15 +54,16 @@ double secondsOf(const Effort& effort) {
   return static_cast<double>(effort.units) * effort.unit;
 }
 
-/// Returns the best time of each scene's tasks. [s]
-std::vector<double> taskTimes(const std::vector<Effort>& efforts, const Slots& slots) {
+/// Returns the best time of each scene's tasks, at least so many `starts`. [s]
+std::vector<double> taskTimes(const std::vector<Effort>& efforts, const Slots& slots,
+                              double starts) {
   double all = 0;
   for (const Effort& effort : efforts) all += secondsOf(effort);
   const double level = slots.atATime > 0 ? all / (kRounds * double(slots.atATime)) : 0;
   std::vector<double> seconds;
   for (const Effort& effort : efforts)
-    seconds.push_back(std::max(std::min(level, kLongestTask),
-                               std::min(kStartsInATask * effort.start, kLongestTask)));
+    seconds.push_back(
+        std::max(std::min(level, kLongestTask), std::min(starts * effort.start, kLongestTask)));
   return seconds;
 }
 
@@ -82,8 +85,8 @@ std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t
   std::vector<double> times;
   for (const Effort& effort : efforts)
     times.push_back(chunk > 0 ? static_cast<double>(effort.units) : secondsOf(effort));
-  double limit =
-      chunk > 0 ? static_cast<double>(chunk) : std::ranges::max(taskTimes(efforts, slots));
+  double limit = chunk > 0 ? static_cast<double>(chunk)
+                           : std::ranges::max(taskTimes(efforts, slots, kStartsInATaskOfWholes));
   for (;; limit *= kLonger) {
     const std::vector<bool> starts = grouped(times, limit);
     const auto tasks = std::ranges::count(starts, true);
@@ -98,7 +101,7 @@ std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t
 
 std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots) {
   requireFewScenes(efforts, slots);
-  std::vector<double> seconds = taskTimes(efforts, slots);
+  std::vector<double> seconds = taskTimes(efforts, slots, kStartsInATask);
   for (;;) {
     std::vector<std::int64_t> parts;
     for (std::size_t i = 0; i < efforts.size(); ++i)

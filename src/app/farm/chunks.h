@@ -28,8 +28,8 @@ struct Slots {
 std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots);
 
 /// Returns of each scene whether it starts a task, where tasks take whole scenes: as many as in
-/// partsOf(), or of `chunk` units together if that isn't 0, unless a scene alone is longer. Throws
-/// InputError if there are too many for `slots`.
+/// partsOf(), but at least 40 times a start, or of `chunk` units together if that isn't 0, unless a
+/// scene alone is longer. Throws InputError if there are too many for `slots`.
 std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t chunk,
                                 const Slots& slots);
 

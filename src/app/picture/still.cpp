@@ -24,16 +24,22 @@ std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& moti
                                early ? ", a second after its motion diverges" : ""));
 }
 
-std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
-                         const std::filesystem::path& path, const render::DeviceChoice& device) {
+Still drawStill(const scene::Scene& scene, std::optional<double> time,
+                const render::DeviceChoice& device) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::int64_t frame =
       time ? frameAt(scene, motion, *time) : scene::posterFrame(scene.clip, motion.frameCount());
   FrameDrawer drawer(scene, motion, device);
-  image::Image picture = drawer.makePicture();
-  drawer.draw(frame, picture);
-  image::writePng(path, picture.view(), scene::isTransparent(scene));
-  return frame;
+  Still still{frame, drawer.makePicture()};
+  drawer.draw(frame, still.picture);
+  return still;
+}
+
+std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
+                         const std::filesystem::path& path, const render::DeviceChoice& device) {
+  const Still still = drawStill(scene, time, device);
+  image::writePng(path, still.picture.view(), scene::isTransparent(scene));
+  return still.frame;
 }
 
 }  // namespace rotatebook::picture

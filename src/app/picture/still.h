@@ -16,9 +16,19 @@ namespace rotatebook::picture {
 /// contain that time.
 std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& motion, double time);
 
+/// A frame of a clip.
+struct Still {
+  std::int64_t frame = 0;  ///< Its index.
+  image::Image picture;
+};
+
 /// Draws the frame nearest to `time` in the video (0 to the clip's end [s]), without it the
-/// poster's, and writes it to `path`; returns its index. Throws InputError if there is no such
-/// frame, MachineError if it can't be drawn or written.
+/// poster's. Throws InputError if there is no such frame, MachineError if it can't be drawn.
+Still drawStill(const scene::Scene& scene, std::optional<double> time,
+                const render::DeviceChoice& device = {});
+
+/// Writes drawStill() to `path`; returns the frame's index. Throws MachineError, too, if it can't
+/// be written.
 std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
                          const std::filesystem::path& path,
                          const render::DeviceChoice& device = {});

@@ -1,6 +1,7 @@
 #include "store/scene_file.h"
 
 #include <algorithm>
+#include <iostream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -68,8 +69,36 @@ std::string readSceneText(const fs::path& path) {
   }
 }
 
+namespace {
+
+/// Reads the standard input to its end. Throws InputError.
+std::string readStandardInput() {
+  std::string text;
+  for (char piece[1 << 12]; std::cin.read(piece, sizeof(piece)) || std::cin.gcount() > 0;) {
+    text.append(piece, static_cast<std::size_t>(std::cin.gcount()));
+    if (text.size() <= document::kLongestToml) continue;
+    document::failAt(kNameOfInput,
+                     fmt::format("is longer than {} bytes, the limit", document::kLongestToml));
+  }
+  if (text.empty()) document::failAt(kNameOfInput, "the standard input is empty, or was read");
+  return text;
+}
+
+scene::Scene parsedScene(const std::string& text, const fs::path& path,
+                         std::span<const std::string> overrides, bool allowOutside) {
+  const scene::ReadNamedFile readNamedFile = readerOf(path.parent_path(), allowOutside);
+  scene::Scene scene = scene::parseScene(text, path, overrides, readNamedFile);
+  scene.allowOutside = allowOutside;
+  scene::readMeshFiles(scene, readNamedFile);
+  return scene;
+}
+
+}  // namespace
+
 scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
                        bool allowOutside) {
+  if (path == kStandardInput)
+    return parsedScene(readStandardInput(), kNameOfInput, overrides, allowOutside);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) document::failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
@@ -78,11 +107,7 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
     document::failAt(path.string(), fmt::format("the scene's name {} {}; rename the file",
                                                 document::tomlString(name), problem));
   }
-  const scene::ReadNamedFile readNamedFile = readerOf(path.parent_path(), allowOutside);
-  scene::Scene scene = scene::parseScene(readSceneText(path), path, overrides, readNamedFile);
-  scene.allowOutside = allowOutside;
-  scene::readMeshFiles(scene, readNamedFile);
-  return scene;
+  return parsedScene(readSceneText(path), path, overrides, allowOutside);
 }
 
 }  // namespace rotatebook::store

@@ -9,10 +9,14 @@
 
 namespace rotatebook::store {
 
-/// Reads and validates a scene file; see scene::parseScene(). Throws InputError, also
-/// for a name that problemOfName() refuses; for a missing file, the message suggests the nearest
-/// existing name. The file that overlay.words may name is within the scene's folder, unless
-/// `allowOutside`, which the scene gets, too.
+/// The path of the scene that is read from the standard input, and the name that it has.
+inline constexpr const char* kStandardInput = "-";
+inline constexpr const char* kNameOfInput = "stdin";
+
+/// Reads and validates a scene file, or that of kStandardInput in the working folder; see
+/// scene::parseScene(). Throws InputError, also for a name that problemOfName() refuses; for a
+/// missing file, the message suggests the nearest existing name. The file that overlay.words may
+/// name is within the scene's folder, unless `allowOutside`, which the scene gets, too.
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {}, bool allowOutside = false);
 

@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(
                     " of still: --ouput; did you mean \"--output\"?"},
         WrongOption{"OfAnotherCommand",
                     {"still", "tiny.toml", "--no-png"},
-                    " of still: --no-png; it is an option of render"},
+                    " of still: --no-png; it is an option of render and submit"},
         WrongOption{"OfSeveralCommands",
                     {"check", "tiny.toml", "--no-expect"},
                     " of check: --no-expect; it is an option of render and simulate"},
@@ -246,7 +246,7 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
 }
 
 TEST_F(CommandLine, WritesNoResultToTheStandardOutput) {
-  for (const std::string command : {"still", "render"}) {
+  for (const std::string command : {"export", "render"}) {
     expectRefused({command, "tiny.toml", "-o", "-"},
                   "rotatebook: --output: nothing is written to the standard output; a file or "
                   "folder named - is written ./-\nRun 'rotatebook " +

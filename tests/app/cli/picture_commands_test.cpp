@@ -82,6 +82,27 @@ TEST_F(SheetCommand, RefusesMorePixelsThanFitIntoMemory) {
   EXPECT_FALSE(has("x.png"));
 }
 
+TEST_F(SheetCommand, ReadsASceneFromAPipeAndWritesThePictureIntoOne) {
+  const auto shell = [this](const std::string& line) {
+    return WEXITSTATUS(std::system(("cd '" + folder().string() + "' && " + line).c_str()));
+  };
+  const std::string program = "'" ROTATEBOOK_PROGRAM "' ";
+  EXPECT_EQ(run({"still", "tiny.toml", "-o", "file.png"}).status, 0);
+  EXPECT_EQ(shell(program + "still - -o - < tiny.toml 2> said.txt > pipe.png"), 0);
+  EXPECT_EQ(read("pipe.png"), read("file.png"));
+  EXPECT_THAT(read("said.txt"), StartsWith("stdin: wrote frame "));
+  EXPECT_EQ(shell(program + "simulate - --csv - < tiny.toml 2> said.txt > pipe.csv"), 0);
+  EXPECT_EQ(run({"simulate", "tiny.toml", "--csv", "file.csv"}).status, 0);
+  EXPECT_EQ(read("pipe.csv"), read("file.csv"));
+  EXPECT_EQ(shell(program + "render - --no-png < tiny.toml > said.txt"), 0);
+  EXPECT_TRUE(has("out/stdin.mp4"));
+  EXPECT_EQ(shell("echo 'a = 1' | " + program + "check - 2> said.txt"), 2);
+  EXPECT_THAT(read("said.txt"), StartsWith("rotatebook: stdin:1:1: "));
+  EXPECT_EQ(shell(program + "check - - < tiny.toml > said.txt 2>&1"), 2);
+  EXPECT_THAT(read("said.txt"), HasSubstr("stdin: the standard input is empty, or was read"));
+  EXPECT_EQ(shell(program + "submit render - --plan list < tiny.toml 2> said.txt"), 2);
+}
+
 class DiffCommand : public ProgramTest {
  protected:
   // A grey picture, and the same with one of its 200 pixels lighter by 10.

@@ -37,7 +37,7 @@ def differences(motion):
         now, turning = kept(inertia, state)
         for name, value in (("error_deg", math.degrees(2 * math.acos(along))), ("energy_drift", abs(now / energy - 1)),
                             ("L_drift", abs(turning / momentum - 1))):
-            worst[name] = max(worst[name], value)
+            worst[name] = max(worst[name], math.inf if math.isnan(value) else value)
     return worst
 
 

@@ -35,6 +35,13 @@ def _library() -> ctypes.CDLL:
     return library
 
 
+def _plain(value: Any) -> Any:
+    """Returns NumPy's arrays and numbers as Python's own."""
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a scene's tables can't hold {value!r}")
+
+
 class Context:
     """A scene and its motions in the core. One thread at a time uses it."""
 
@@ -72,7 +79,7 @@ class Context:
         return json.loads(self._text("toml_to_json", self._put(text.encode())))
 
     def text_of(self, tree: Mapping[str, Any]) -> str:
-        return self._text("json_to_toml", self._put(json.dumps(tree).encode()))
+        return self._text("json_to_toml", self._put(json.dumps(tree, default=_plain).encode()))
 
     def read(self, text: str) -> Any:
         return json.loads(self._text("read", 0, self._put(text.encode())))

@@ -29,7 +29,8 @@ Options = Mapping[str, Any]
 
 _PATIENCE = 0.02  # How long an interrupted program may take before the caller goes on without it. [s]
 _ANSWERS = (0, 1, 4)  # Exit statuses of a run that has a result, good or not.
-_KINDS = {".mp4": "video/mp4", ".webm": "video/webm", ".gif": "image/gif", ".png": "image/png", ".apng": "image/apng"}
+_KINDS = {".mp4": "video/mp4", ".webm": "video/webm", ".mov": "video/quicktime", ".gif": "image/gif", ".png": "image/png",
+          ".apng": "image/apng"}
 
 
 def program() -> str:

@@ -16,7 +16,7 @@ Path = Union[str, "os.PathLike[str]"]
 Numbers = npt.NDArray[np.float64]
 Progress = Callable[[int, int], None]  # Called with what is done, and with how much there is.
 
-_FILE_KEYS = {"file", "mesh", "words"}  # The last parts of keys that name files which the core reads.
+_FILE_KEYS = {"file", "mesh", "words", "front", "spine", "back"}  # The last parts of keys that name files.
 
 
 def _names_in(tree: Any) -> Iterator[str]:
@@ -70,7 +70,10 @@ class Scene:
 
     def spin(self, motion: int = 0) -> dict[str, Any]:
         """Returns what follows from the spin that a motion starts with: its axis, when it flips, and so on."""
-        spin: dict[str, Any] = self._open()[0].spin(motion)
+        context, read = self._open()
+        if not 0 <= motion < len(read["motions"]):
+            raise IndexError(f"there is no motion {motion}; the scene has {len(read['motions'])}, counted from 0")
+        spin: dict[str, Any] = context.spin(motion)
         return spin
 
     def simulate(self, progress: Optional[Progress] = None) -> Simulation:
@@ -82,7 +85,7 @@ class Scene:
         return Simulation(context, read)
 
     def files(self) -> dict[str, bytes]:
-        """Returns the files that the core reads for it, those that there are, by name."""
+        """Returns the files that it names, those that there are in its folder, by name."""
         files = {}
         root = self.folder.resolve()
         for name in _names_in(self._context().tree_of(self.text)):
@@ -136,8 +139,8 @@ class Motion:
         self.moments = np.array(read["moments"], dtype=np.float64)
 
     def __getattr__(self, name: str) -> Numbers:
-        samples: npt.NDArray[Any] = self.__dict__["samples"]
-        if name not in (samples.dtype.names or ()):
+        samples: Optional[npt.NDArray[Any]] = self.__dict__.get("samples")  # None in a copy that is being made.
+        if samples is None or name not in (samples.dtype.names or ()):
             raise AttributeError(f"a motion has no {name}")
         field: Numbers = samples[name]
         return field

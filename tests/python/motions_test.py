@@ -1,8 +1,10 @@
 """Scenes and their motions, by the installed package."""
 
+import copy
 import gc
 import os
 import pathlib
+import pickle
 import re
 import signal
 import subprocess
@@ -53,6 +55,12 @@ class Motions(unittest.TestCase):
         gc.collect()
         self.assertIsNone(context(), "no array is left")
 
+    def test_may_be_copied(self):
+        motion = Scene(THROW).simulate()[0]
+        for other in (copy.deepcopy(motion), pickle.loads(pickle.dumps(motion))):
+            self.assertEqual(other.attitude.tobytes(), motion.attitude.tobytes())
+            self.assertFalse(np.shares_memory(other.samples, motion.samples))
+
     def test_of_two_threads_are_made_at_the_same_time(self):
         scenes = [Scene(THROW + f"[simulation]\nsubsteps = {steps}\n") for steps in (64, 65)]
         alone = [scene.simulate().checksum for scene in scenes]
@@ -101,6 +109,11 @@ class Scenes(unittest.TestCase):
         self.assertEqual(Scene.from_dict(text.to_dict()).simulate().checksum, text.simulate().checksum)
         self.assertIn("substeps = ", text.whole_text())
         self.assertEqual(text.spin()["axis"], "middle")
+        for motion in (1, -1):
+            with self.assertRaisesRegex(IndexError, f"no motion {motion}; the scene has 1"):
+                text.spin(motion)
+        spun = {"initial": {"angular_velocity": np.array([5, 0.05, 0])}, "clip": {"duration": np.int64(2)}}
+        self.assertEqual(Scene.from_dict(spun).simulate().checksum, text.simulate().checksum)
         pathlib.Path("throw.toml").write_text(THROW)
         file = Scene.from_file("throw.toml")
         self.assertEqual((file.name, file.simulate().checksum), ("throw", text.simulate().checksum))

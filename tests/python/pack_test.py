@@ -57,6 +57,10 @@ def without_torque(state, h, inertia):
     return plus(state, h, [*slope(state, inertia)[:4], 0, 0, 0])
 
 
+def without_numbers(state, h, inertia):
+    return [math.nan] * 7
+
+
 def simulate(step, inertia, start, times):
     """Returns a state for each time, as the pack has them."""
     state, states = [*start[1:5], *start[5:8]], [start]  # Body and world have the same axes.
@@ -88,7 +92,7 @@ class Pack(unittest.TestCase):
         status, lines = self.check(rk4)
         self.assertEqual((status, len(lines)), (0, 12), lines)
         self.assertEqual([line for line in lines if not line.startswith("met: ")], [])
-        for broken in (euler, without_torque):
+        for broken in (euler, without_torque, without_numbers):
             status, lines = self.check(broken)
             self.assertEqual(status, 1)
             for motion in self.pack["motions"]:

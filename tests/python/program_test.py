@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
 import sys
@@ -32,6 +33,13 @@ class Clips(unittest.TestCase):
         with open(clip.file, "ab") as file:
             file.write(b"\0")
         self.assertNotIn("proved", clip._repr_html_(), "these are other bytes")
+
+    def test_have_the_textures_beside_a_text_and_are_made_for_editors(self):
+        shutil.copy(SOURCE / "assets/front.png", "cover.png")
+        scene = Scene(SMALL.text + '[book]\nfront = "cover.png"\n', name="covered")
+        clip = rotatebook.render(scene, "editors", format="prores", overwrite=True)
+        self.assertEqual(clip.file.name, "covered.mov")
+        self.assertIn("data:video/quicktime;base64,", clip._repr_html_())
 
     def test_that_arent_made_say_why(self):
         pathlib.Path("bad.toml").write_text("[body]\nmaas = 3\n")

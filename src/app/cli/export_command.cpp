@@ -94,9 +94,9 @@ void addExportCommand(CLI::App& program, Action& action) {
             "GLB to write; by default NAME.glb, in the folder where you are");
   addOption(command, "--panel", "LABEL|NUMBER", arguments.panel,
             "Panel to write, by its label or counted from 1; by default the first");
-  addOption(command, "--keys", "N", arguments.glb.keysPerSecond, "Keys a second of the video")
-      ->check(CLI::Range(1, kMaxKeys))
-      ->capture_default_str();
+  addOption(command, "--keys", "N", arguments.glb.keysPerSecond,
+            "Keys a second of the video; by default 60, or as many more as a fast spin needs")
+      ->check(CLI::Range(1, kMaxKeys));
   command.add_flag("--tangents", arguments.glb.tangents,
                    "CUBICSPLINE keys with exact tangents, in place of LINEAR ones");
   arguments.sceneOptions.addTo(command, /*draws=*/false);

@@ -36,14 +36,12 @@ Quaterniond halfway(const Key& a, const Key& b, bool tangents) {
       .normalized();
 }
 
-}  // namespace
-
-Turning turningOf(const scene::Scene& scene, std::int64_t frames, const GlbOptions& options) {
+Turning turningWith(int keysPerSecond, const scene::Scene& scene, std::int64_t frames,
+                    bool tangents) {
   const FrameRate& rate = scene.clip.frameRate;
-  const std::int64_t last =
-      (frames - 1) * options.keysPerSecond * rate.denominator / rate.numerator;
+  const std::int64_t last = (frames - 1) * keysPerSecond * rate.denominator / rate.numerator;
   const auto frameOf = [&](double key) {
-    return key * rate.numerator / (options.keysPerSecond * rate.denominator);
+    return key * rate.numerator / (keysPerSecond * rate.denominator);
   };
   std::vector<double> times;  // of the keys and halfway between them
   for (std::int64_t i = 0; i <= 2 * last; ++i)
@@ -55,13 +53,25 @@ Turning turningOf(const scene::Scene& scene, std::int64_t frames, const GlbOptio
     const auto key = static_cast<double>(i / 2);
     const physics::Sample& sample = samples[i];
     turning.keys.push_back(
-        {key / options.keysPerSecond, sample.attitude,
+        {key / keysPerSecond, sample.attitude,
          derivative(sample.attitude, sample.angularVelocity, clockSpeed(scene, frameOf(key)))});
     if (i == 0) continue;
-    const Quaterniond between =
-        halfway(turning.keys[i / 2 - 1], turning.keys[i / 2], options.tangents);
+    const Quaterniond between = halfway(turning.keys[i / 2 - 1], turning.keys[i / 2], tangents);
     const double error = between.angularDistance(samples[i - 1].attitude);
     turning.errorDeg = std::max(turning.errorDeg, error * 180 / std::numbers::pi);
+  }
+  return turning;
+}
+
+}  // namespace
+
+Turning turningOf(const scene::Scene& scene, std::int64_t frames, const GlbOptions& options) {
+  constexpr int kFewest = 60, kMost = 960;
+  int keys = options.keysPerSecond.value_or(kFewest);
+  Turning turning = turningWith(keys, scene, frames, options.tangents);
+  while (!options.keysPerSecond && turning.errorDeg > kCloseDeg && keys < kMost) {
+    keys *= 2;
+    turning = turningWith(keys, scene, frames, options.tangents);
   }
   return turning;
 }

@@ -33,10 +33,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A throw as the starter's, of plain cloth, whose picture needn't be read.
-scene::Scene sceneOf(const std::string& more = "") {
+scene::Scene sceneOf(const std::string& more = "", const std::string& spin = "5.0") {
   return scene::parseScene(R"(title = "Throw"
 book.color = "#2b5d8a"
-initial.angular_velocity = [5.0, 0.0, 0.0]
+initial.angular_velocity = [)" +
+                               spin + R"(, 0.0, 0.0]
 initial.tilt = ["1 deg", "z"]
 simulation.model = "exact"
 )" + more,
@@ -130,6 +131,13 @@ TEST(MotionGlb, TurnsTheBodyAsTheMotionDoes) {
   EXPECT_LT(errorOf(scene, {.keysPerSecond = 15, .tangents = true}), 0.002);  // measured 0.0015
   EXPECT_LT(errorOf(scene, {.tangents = true}), 2e-4);                        // measured 1.5e-4
   EXPECT_GT(errorOf(scene, {.keysPerSecond = 30}), 0.1);                      // measured 0.118
+}
+
+TEST(MotionGlb, TakesMoreKeysForAFastSpin) {
+  const scene::Scene scene = sceneOf("clip.duration = 4\n", "20.0");
+  EXPECT_GT(errorOf(scene, {.keysPerSecond = 60}), 0.4);  // measured 0.473
+  EXPECT_LT(errorOf(scene, {}), 0.05);                    // measured 0.030
+  EXPECT_EQ(motionGlb(scene, 0, {}).keys, 957U);
 }
 
 // It holds, and passes from speed to speed.

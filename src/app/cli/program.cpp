@@ -131,7 +131,7 @@ void addCommonOptions(CLI::App& program, CommonArguments& arguments) {
 
 /// Returns whether `command` was asked for text on the standard output that programs read.
 bool printsForPrograms(const CLI::App& command) {
-  for (const char* one : {"--json", "--plan", "--dry-run", "--print"}) {
+  for (const char* one : {"--json", "--plan", "--dry-run", "--print", "--schema"}) {
     const CLI::Option* option = command.get_option_no_throw(one);
     if (option != nullptr && option->count() > 0) return true;
   }

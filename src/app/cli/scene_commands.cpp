@@ -21,6 +21,7 @@
 #include "cli/scene_options.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
+#include "scene/scene_schema.h"
 #include "scene/scene_text.h"
 #include "store/scene_file.h"
 #include "store/scene_name.h"
@@ -65,7 +66,7 @@ int statusOfAll(const std::vector<SceneFile>& files) {
 struct CheckArguments {
   std::vector<std::string> paths;
   SceneOptions sceneOptions;
-  bool json = false, print = false;
+  bool json = false, print = false, schema = false;
 };
 
 Json fileObject(const SceneFile& file) {
@@ -110,6 +111,11 @@ void printJson(const std::vector<SceneFile>& files, Json (*asJson)(const SceneFi
 }
 
 int checkScenes(const CheckArguments& arguments) {
+  if (arguments.schema) {
+    std::cout << scene::sceneSchema();
+    return kDone;
+  }
+  if (arguments.paths.empty()) throw InputError("name the scenes to check");
   std::vector<std::string> notes;  // on the file that is read
   const auto check = [&](const fs::path& path) {
     const scene::Scene scene = arguments.sceneOptions.read(path);
@@ -170,7 +176,11 @@ int listScenes(const ListArguments& arguments) {
 void addCheckCommand(CLI::App& program, Action& action) {
   auto [command, arguments] =
       addCommand(program, action, "check", "Validate scenes; writes nothing", checkScenes);
-  command.add_option("FILE", arguments.paths, "Scene files")->required();
+  CLI::Option* files = command.add_option("FILE", arguments.paths, "Scene files");
+  command
+      .add_flag("--schema", arguments.schema,
+                "Print the JSON Schema of scenes, for editors, in place of FILE")
+      ->excludes(files);
   CLI::Option* json =
       command.add_flag("--json", arguments.json,
                        "Print one JSON object: each file's errors, notes and number of frames");
@@ -180,7 +190,8 @@ void addCheckCommand(CLI::App& program, Action& action) {
   command.footer(R"(
 Examples:
   rotatebook check scenes/*.toml
-  rotatebook check scenes/starter.toml --print > full.toml)");
+  rotatebook check scenes/starter.toml --print > full.toml
+  rotatebook check --schema > scene.schema.json)");
 }
 
 void addListCommand(CLI::App& program, Action& action) {

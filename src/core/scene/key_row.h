@@ -40,6 +40,14 @@ inline constexpr KeyModels kOfAll{~0u},
     kOfStepwise = kOfComputed.but(only(physics::Model::Exact)),
     kOfRigidSteps = kOfStepwise.but(kOfParticles);
 
+/// The types of TOML values that a key takes.
+struct ValueKinds {
+  bool text = false, number = false, flag = false, list = false, table = false;
+};
+
+inline constexpr ValueKinds kTextKind{.text = true}, kNumberKind{.number = true},
+    kNumberOrText{.text = true, .number = true}, kListKind{.list = true}, kTableKind{.table = true};
+
 /// The form of a key's value, with its limits.
 struct ValueForm {
   enum class Type {
@@ -57,6 +65,7 @@ struct ValueForm {
   std::string_view expected{};  ///< Of Own, Number and Vector, as in messages: "a number".
   std::span<const std::string_view> choices{};  ///< Of Type::Own: values are lists of them.
   bool hasWholeParts = false;                   ///< Of Type::Own: its numbers are integers.
+  ValueKinds kinds{};  ///< Of Type::Own; of others, what they take besides.
 
   bool isWhole() const { return type == Type::Integer || hasWholeParts; }
 };

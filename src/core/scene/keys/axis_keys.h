@@ -19,7 +19,7 @@ std::string pixelAxisText(const Axis& axis);
 template <auto kMember>
 constexpr auto valueAxis(std::string_view name, const KeyText& documentation) {
   return own<kMember, valueAxisFrom, valueAxisText>(
-      name, "a table such as { key = \"simulation.substeps\", values = [1, 10, 100] }",
+      name, kTableKind, "a table such as { key = \"simulation.substeps\", values = [1, 10, 100] }",
       documentation);
 }
 
@@ -27,7 +27,7 @@ constexpr auto valueAxis(std::string_view name, const KeyText& documentation) {
 template <auto kMember>
 constexpr auto pixelAxis(std::string_view name, const KeyText& documentation) {
   return own<kMember, pixelAxisFrom, pixelAxisText>(
-      name,
+      name, kTableKind,
       "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }",
       documentation);
 }

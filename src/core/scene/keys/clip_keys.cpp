@@ -156,13 +156,13 @@ std::string speedText(const PlaybackSpeed& speed) {
 Keys<ClipSettings> clipKeys() {
   static constexpr std::array keys{
       keyOf<ClipSettings, readPictureSize, pictureSizeText>(
-          "size", ownForm(kPictureSizes),
+          "size", ownForm(kListKind, kPictureSizes),
           {.comment = "pixels, width and height, even",
            .meaning = "each even, 16 to 16384",
            .unit = "pixels",
            .affects = Affects::Picture}),
       own<&ClipSettings::frameRate, frameRateFrom, frameRateText>(
-          "fps", kFrameRates,
+          "fps", kNumberOrText, kFrameRates,
           {.comment = "frames a second", .meaning = "of the video", .unit = "frames/s"}),
       number<&ClipSettings::duration>("duration", kDurations,
                                       {.comment = "s of video", .meaning = "of the video"}),
@@ -173,7 +173,7 @@ Keys<ClipSettings> clipKeys() {
            .byDefault = "the clip's middle",
            .affects = Affects::Picture}),
       own<&ClipSettings::speed, speedFrom, speedText>(
-          "speed", kExpectedSpeeds,
+          "speed", {.number = true, .list = true}, kExpectedSpeeds,
           {.comment = "of the motion in the video; 0.25 is slow motion",
            .meaning = "of the motion in the video: 0.25 is slow motion, four times as long; "
                       "see [slow motion](#slow-motion)",

@@ -29,7 +29,7 @@ std::string moveText(const CameraMove& move) {
 Keys<Cue> cueKeys() {
   static constexpr std::array keys{
       own<&Cue::at, momentFrom, momentText>(
-          "at", kExpectedMoments,
+          "at", kNumberOrText, kExpectedMoments,
           {.comment = "s of the motion, or an event of it",
            .meaning = "from when on, see [captions in time](#captions-in-time)"}),
       lines<&Cue::text>("text", kLongestCaption,
@@ -44,7 +44,7 @@ Keys<Cue> cueKeys() {
                                                   .byDefault = "none begins",
                                                   .affects = Affects::Text}),
       own<&Cue::move, moveFrom, moveText>(
-          "move", kExpectedMove,
+          "move", kTableKind, kExpectedMove,
           {.meaning = "a move of the camera that begins, see [moves](#moves-of-the-camera)",
            .byDefault = "none",
            .affects = Affects::Picture}),

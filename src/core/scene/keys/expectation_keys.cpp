@@ -77,7 +77,7 @@ std::string boundsText(const std::vector<Expectation>& expectations) {
 template <Measure kMeasure>
 constexpr auto measureKey() {
   return keyOf<std::vector<Expectation>, readBounds<kMeasure>, boundsText<kMeasure>>(
-      nameOf(kMeasure), ownForm(kExpectedBounds),
+      nameOf(kMeasure), ownForm({.list = true, .table = true}, kExpectedBounds),
       {.meaning = rowOf(kMeasure).meaning, .byDefault = "none", .affects = Affects::Text});
 }
 

@@ -60,7 +60,7 @@ std::string placedText(const std::vector<Expectation>& all) {
 
 template <auto kMember, const PlacedExpectations& kPlaced>
 constexpr auto placedExpectations(std::string_view name, const KeyText& documentation) {
-  return own<kMember, placedFrom<kPlaced>, placedText<kPlaced>>(name, kPlaced.expected,
+  return own<kMember, placedFrom<kPlaced>, placedText<kPlaced>>(name, kListKind, kPlaced.expected,
                                                                 documentation);
 }
 

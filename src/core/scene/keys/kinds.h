@@ -103,15 +103,15 @@ constexpr auto key(std::string_view name, const ValueForm& form,
 }
 
 /// Returns the form of values of a form of their own.
-constexpr ValueForm ownForm(std::string_view expected) {
-  return {.expected = expected};
+constexpr ValueForm ownForm(ValueKinds kinds, std::string_view expected) {
+  return {.expected = expected, .kinds = kinds};
 }
 
 /// Returns the row of a key whose values have a form of their own.
 template <auto kMember, auto kRead, auto kText, auto kPart = nullptr>
-constexpr auto own(std::string_view name, std::string_view expected,
+constexpr auto own(std::string_view name, ValueKinds kinds, std::string_view expected,
                    const KeyText& documentation = {}) {
-  return key<kMember, kRead, kText, kPart>(name, ownForm(expected), documentation);
+  return key<kMember, kRead, kText, kPart>(name, ownForm(kinds, expected), documentation);
 }
 
 // Numbers
@@ -200,7 +200,8 @@ void readTiltPart(const ValueReader& number, std::string_view part, const ValueF
 template <auto kMember>
 constexpr auto angleAboutAxis(std::string_view name, const KeyText& documentation = {}) {
   return key<kMember, tiltFrom, tiltText, readTiltPart>(
-      name, {.dimension = Dimension::Angle, .expected = kExpectedTilt}, documentation);
+      name, {.dimension = Dimension::Angle, .expected = kExpectedTilt, .kinds = kListKind},
+      documentation);
 }
 
 // Texts and colours
@@ -232,7 +233,7 @@ std::string colourText(const Rgb& colour);
 
 template <auto kMember>
 constexpr auto colour(std::string_view name, const KeyText& documentation = {}) {
-  return own<kMember, colourFrom, colourText>(name, kColours, documentation);
+  return own<kMember, colourFrom, colourText>(name, kTextKind, kColours, documentation);
 }
 
 // Choices

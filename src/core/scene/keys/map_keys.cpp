@@ -90,11 +90,12 @@ std::vector<double> contoursFrom(const ValueReader& value) {
 Keys<MapColours> colourKeys() {
   static constexpr std::array keys{
       choice<&MapColours::palette, kPalettes>("palette"),
-      own<&MapColours::reversed, flagFrom, flagText>("reversed", "true or false"),
+      own<&MapColours::reversed, flagFrom, flagText>("reversed", {.flag = true}, "true or false"),
       choice<&MapColours::scale, kScales>("scale"),
       number<&MapColours::from>("from", kNumber),
       number<&MapColours::to>("to", kNumber),
-      own<&MapColours::contours, contoursFrom, numbersIfAny>("contours", kExpectedContours),
+      own<&MapColours::contours, contoursFrom, numbersIfAny>("contours", kListKind,
+                                                             kExpectedContours),
   };
   return keys;
 }
@@ -131,8 +132,8 @@ std::vector<double> pointFrom(const ValueReader& value) {
 
 Keys<MapFilm> filmKeys() {
   static constexpr std::array keys{
-      own<&MapFilm::x, endsFrom, numbersIfAny>("x", kExpectedEnds),
-      own<&MapFilm::y, endsFrom, numbersIfAny>("y", kExpectedEnds),
+      own<&MapFilm::x, endsFrom, numbersIfAny>("x", kListKind, kExpectedEnds),
+      own<&MapFilm::y, endsFrom, numbersIfAny>("y", kListKind, kExpectedEnds),
       number<&MapFilm::duration>("duration", kFilmTimes),
   };
   return keys;
@@ -192,7 +193,7 @@ Keys<MapExpectation> expectationKeys() {
       choice<&MapExpectation::outcome, kOutcomes>("outcome"),
       number<&MapExpectation::over>("over", kNumber),
       number<&MapExpectation::under>("under", kNumber),
-      own<&MapExpectation::at, pointFrom, numbersText>("at", kExpectedPoint),
+      own<&MapExpectation::at, pointFrom, numbersText>("at", kListKind, kExpectedPoint),
       text<&MapExpectation::panel>("panel", kLongestLabel),
   };
   return keys;
@@ -251,13 +252,13 @@ Keys<MapSettings> mapKeys() {
       pixelAxis<&MapSettings::y>("y",
                                  {.meaning = "the axis up, likewise", .byDefault = "required"}),
       own<&MapSettings::measure, mapMeasureFrom, measureText>(
-          "measure", "a quantity, such as \"half_turns\"",
+          "measure", kTextKind, "a quantity, such as \"half_turns\"",
           {.meaning = "what the colours show, see [maps](map.md#measures)",
            .byDefault = "required"}),
       choice<&MapSettings::moment, kMapMoments>(
           "moment", {.meaning = "at the end of each motion, or the largest value on the way"}),
       keyOf<MapSettings, readSize, mapSizeText>(
-          "size", ownForm(kExpectedSize),
+          "size", ownForm(kListKind, kExpectedSize),
           {.comment = "runs, each a pixel",
            .meaning = "runs across and up, each a pixel, up to 16384 a side"}),
       number<&MapSettings::duration>("duration", kMapTimes,
@@ -270,24 +271,24 @@ Keys<MapSettings> mapKeys() {
            .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),
       own<&MapSettings::colours, coloursFrom, coloursText>(
-          "colors", kExpectedColours,
+          "colors", kTableKind, kExpectedColours,
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
            .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`",
            .affects = Affects::Picture}),
       own<&MapSettings::marks, marksFrom, marksText>(
-          "marks", kExpectedMarks,
+          "marks", kListKind, kExpectedMarks,
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
            .byDefault = "none",
            .affects = Affects::Picture}),
       own<&MapSettings::expected, mapExpectationsFrom, mapExpectationsText>(
-          "expect", kExpectedMapBounds,
+          "expect", kListKind, kExpectedMapBounds,
           {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
                       "value; see [expectations](vary.md#expectations)",
            .byDefault = "none",
            .affects = Affects::Text}),
       own<&MapSettings::film, filmFrom, filmText>(
-          "film", kExpectedFilm,
+          "film", kTableKind, kExpectedFilm,
           {.meaning = "the part of the map that `rotatebook map --film` zooms into, and the "
                       "film's length; see [maps](map.md#films)",
            .byDefault = "none",

@@ -166,6 +166,7 @@ constexpr Key<S> spinKey(KeyText documentation) {
   documentation.models = kOfComputed;
   ValueForm form = formOf(ValueForm::Type::Vector, kDirections);
   if (kIsVelocity) form.dimension = Dimension::AngularVelocity;
+  form.kinds = kTableKind;
   return {nameOf(kSpinKinds, kKind), form,          readSpin<kKind, S>,
           spinText<kKind, S>,        documentation, readSpinElement<S>};
 }
@@ -199,7 +200,7 @@ Keys<MotionSettings> bodyKeys() {
       number<Within<&MotionSettings::body, &body::Cuboid::mass>{}>(
           "mass", kMass, {.comment = "kg", .meaning = "in all"}),
       own<&MotionSettings::inertia, inertiaFrom, inertiaText, readMoment>(
-          "inertia", "three moments, or a symmetric 3x3 tensor",
+          "inertia", kListKind, "three moments, or a symmetric 3x3 tensor",
           {.comment = "kg m^2, in place of the solid cuboid's",
            .meaning = "about the book's axes",
            .byDefault = "the solid cuboid's",
@@ -219,7 +220,7 @@ Keys<InitialSpin> initialKeys() {
                    .byDefault = "none",
                    .models = kOfComputed}),
       own<&InitialSpin::attitude, attitudeFrom, attitudeText>(
-          "attitude", "the quaternion [w, x, y, z], or an angle and an axis",
+          "attitude", kListKind, "the quaternion [w, x, y, z], or an angle and an axis",
           {.meaning = "how the book lies at the start: a turn from upright, facing +z; the spin is "
                       "along its axes",
            .byDefault = "upright",

@@ -49,7 +49,7 @@ std::string textureFrom(const ValueReader& value) {
 template <auto kTexture>
 constexpr Key<BookSettings> textureKey(std::string_view name, std::string_view comment = "") {
   return own<kTexture, textureFrom, tomlString>(
-      name, kTextures, {.comment = comment, .meaning = "a PNG, JPEG or WebP"});
+      name, kTextKind, kTextures, {.comment = comment, .meaning = "a PNG, JPEG or WebP"});
 }
 
 void readBackground(const ValueReader& value, LookSettings& look) {
@@ -159,7 +159,7 @@ Keys<EncodingSettings> videoKeys() {
                     {.comment = "1 to 51, smaller is better and takes more space",
                      .meaning = "x264's rate factor; smaller is better, in larger files"}),
                 own<&EncodingSettings::preset, presetFrom, tomlString>(
-                    "preset", kExpectedPresets,
+                    "preset", kTextKind, kExpectedPresets,
                     {.comment = kExpectedPresets, .meaning = "`\"book\"` is made for these clips"}),
                 integer<&EncodingSettings::threads>(
                     "threads", 1, kMaxThreads,
@@ -236,7 +236,7 @@ Keys<LookSettings> lookKeys() {
       Affects::Picture,
       std::array{
           keyOf<LookSettings, readBackground, backgroundText>(
-              "background", ownForm(kBackgroundTexts),
+              "background", ownForm(kTextKind, kBackgroundTexts),
               {.comment = kBackgroundTexts,
                .meaning = "transparent: PNGs with an alpha channel; of a colour: flat"}),
           integer<&LookSettings::supersample>(
@@ -245,7 +245,7 @@ Keys<LookSettings> lookKeys() {
                .meaning = "2 draws twice as many pixels across and down, in four times the time",
                .allowed = "1 or 2"}),
           own<&LookSettings::motionBlur, momentsFrom, integerText>(
-              "motion_blur", kBlurMoments,
+              "motion_blur", kNumberKind, kBlurMoments,
               {.comment = "moments averaged in a picture: 1, 2, 4, 8 or 16",
                .meaning = "number of moments averaged in a picture"}),
       });
@@ -257,7 +257,7 @@ Keys<OverlaySettings> overlayKeys() {
       allOf(Affects::Picture,
             std::array{
                 key<&OverlaySettings::show, overlaysFrom, overlaysText>(
-                    "show", {.choices = kNamesOf<kOverlays>},
+                    "show", {.choices = kNamesOf<kOverlays>, .kinds = kListKind},
                     {.meaning = "drawn over the pictures",
                      .allowed = "a list of [overlays](panels-and-overlays.md#overlays)"}),
                 text<&OverlaySettings::font>("font", kLongestName,
@@ -268,7 +268,7 @@ Keys<OverlaySettings> overlayKeys() {
                     "scale", kOverlayScales,
                     {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
                 own<&OverlaySettings::words, wordsFrom, wordsText>(
-                    "words", kExpectedWords,
+                    "words", {.text = true, .table = true}, kExpectedWords,
                     {.comment = "\"english\", \"german\", a table or the file of one",
                      .meaning = "the words that pictures show, and their `decimal_mark`"}),
             });

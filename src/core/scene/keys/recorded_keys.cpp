@@ -60,7 +60,8 @@ constexpr Within<&SimulationSettings::recorded, kMember> kRecorded{};
 /// One of a few words; none is printed as nothing.
 template <auto kMember, const auto& kWords>
 constexpr auto word(std::string_view name, const char* expected, const KeyText& documentation) {
-  return own<kRecorded<kMember>, wordFrom<kWords>, optionalText>(name, expected, documentation);
+  return own<kRecorded<kMember>, wordFrom<kWords>, optionalText>(name, kTextKind, expected,
+                                                                 documentation);
 }
 
 /// A text, of which an empty one isn't printed.
@@ -81,7 +82,7 @@ Keys<SimulationSettings> recordedKeys() {
                .byDefault = "required for `\"recorded\"`",
                .allowed = "a path relative to the scene's folder"}),
           own<kRecorded<&RecordedFile::columns>, columnsFrom, columnsText>(
-              "columns", "a table such as { time = \"t\", wx = \"Gyro X\" }",
+              "columns", kTableKind, "a table such as { time = \"t\", wx = \"Gyro X\" }",
               {.meaning = "the names of columns without a usual one",
                .byDefault = "[usual names](recorded.md#columns)"}),
           word<&RecordedFile::timeUnit, recording::kTimeUnits>(
@@ -102,7 +103,8 @@ Keys<SimulationSettings> recordedKeys() {
               "to", kFileTimes,
               {.meaning = "where it ends, likewise", .byDefault = "the last row"}),
           key<kRecorded<&RecordedFile::bias>, vectorOf, biasText>(
-              "bias", {.min = kBias.min, .max = kBias.max, .expected = kBias.expected},
+              "bias",
+              {.min = kBias.min, .max = kBias.max, .expected = kBias.expected, .kinds = kListKind},
               {.meaning = "subtracted from a gyroscope's rates",
                .byDefault = "none",
                .unit = "rad/s"}),

@@ -69,7 +69,9 @@ void readEvery(const ValueReader& steps, std::string_view part, const ValueForm&
 template <auto kMember>
 constexpr auto everyStep(std::string_view name, const KeyText& documentation) {
   return key<kMember, everyStepFrom, everyStepText, readEvery>(
-      name, {.expected = kExpectedEvery, .hasWholeParts = true}, documentation);
+      name,
+      {.expected = kExpectedEvery, .hasWholeParts = true, .kinds = {.flag = true, .table = true}},
+      documentation);
 }
 
 void readTimePerFrame(const ValueReader& value, SimulationSettings& settings) {
@@ -120,7 +122,7 @@ std::string arrangementText(const physics::ParticleSettings& settings) {
 constexpr std::array kOwnKeys{
     choice<&SimulationSettings::model, kModels>("model", {.meaning = "see [models](motion.md)"}),
     keyOf<SimulationSettings, readIntegrator, integratorText>(
-        "integrator", ownForm("one of the model's integrators"),
+        "integrator", ownForm(kTextKind, "one of the model's integrators"),
         {.meaning = "see [integrators](motion.md#integrators)",
          .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
          .models = kOfStepwise}),
@@ -153,7 +155,7 @@ constexpr std::array kOwnKeys{
          .unit = "kg m² s",
          .models = kOfRigidSteps}),
     own<&SimulationSettings::particles, arrangementFrom, arrangementText>(
-        "particles", kExpectedArrangement,
+        "particles", kTextKind, kExpectedArrangement,
         {.comment = "particles: where they are",
          .meaning = "where they are, see [bodies](bodies.md#particles)",
          .models = kOfParticles}),

@@ -86,13 +86,13 @@ std::string shapeText(const BodyPart& part) {
 Keys<BodyPart> partKeys() {
   static constexpr std::array keys{
       keyOf<BodyPart, readLater<BodyPart>, shapeText>(
-          "shape", ownForm("the name of a shape"),
+          "shape", ownForm(kTextKind, "the name of a shape"),
           {.meaning = "a [shape](bodies.md#shapes), but for the book", .byDefault = "required"}),
       keyOf<BodyPart, readLater<BodyPart>, lengthsText>(
-          "dimensions", ownForm(kExpectedLengths),
+          "dimensions", ownForm(kTableKind, kExpectedLengths),
           {.meaning = "its lengths", .byDefault = "the shape's", .unit = "m"}),
       own<&BodyPart::density, partDensityFrom, tomlNumber>(
-          "density", kPartDensities.expected,
+          "density", kNumberKind, kPartDensities.expected,
           {.meaning = "negative for what is taken away",
            .byDefault = "the shape's",
            .unit = "kg/m³"}),
@@ -182,13 +182,13 @@ std::string textOfShape(const Solid& solid) {
 Keys<Solid> solidKeys() {
   static constexpr std::array keys{
       keyOf<Solid, readLater<Solid>, textOfShape<shapeText>>(
-          "shape", ownForm("\"book\" or the name of a shape"),
+          "shape", ownForm(kTextKind, "\"book\" or the name of a shape"),
           {.meaning = "a [shape](bodies.md#shapes)", .byDefault = "`\"book\"`"}),
       keyOf<Solid, readLater<Solid>, textOfShape<lengthsText>>(
-          "dimensions", ownForm(kExpectedLengths),
+          "dimensions", ownForm(kTableKind, kExpectedLengths),
           {.meaning = "of the shape", .byDefault = "the shape's", .unit = "m"}),
       keyOf<Solid, readMesh, meshTextOf>(
-          "mesh", ownForm("the name of a file: .obj, .stl, .ply or .glb"),
+          "mesh", ownForm(kTextKind, "the name of a file: .obj, .stl, .ply or .glb"),
           {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
            .byDefault = "none"}),
       keyOf<Solid, readUnit, unitText>(
@@ -199,7 +199,7 @@ Keys<Solid> solidKeys() {
                                .byDefault = "the shape's",
                                .unit = "kg/m³"}),
       keyOf<Solid, readParts, partsText>(
-          "part", ownForm(kExpectedParts),
+          "part", ownForm(kListKind, kExpectedParts),
           {.meaning = "tables `[[body.part]]`, shapes that add up", .byDefault = "none"}),
   };
   return keys;

@@ -47,7 +47,7 @@ Keys<StudySettings> studyKeys() {
           "curves", {.meaning = "a second key: one curve for each of its values",
                      .byDefault = "without `measure`, all of the model's integrators"}),
       own<&StudySettings::measures, measuresFrom, measuresText>(
-          "measure", kExpectedMeasures,
+          "measure", kListKind, kExpectedMeasures,
           {.meaning = "one to three of the [measures](map.md#measures)",
            .byDefault = "`[\"order\"]`"}),
       placedExpectations<&StudySettings::expected, kStudyExpectations>(

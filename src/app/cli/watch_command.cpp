@@ -1,0 +1,129 @@
+// `rotatebook watch`: a still that follows a scene while it is edited.
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <string>
+#include <sys/stat.h>
+#include <thread>
+#include <tuple>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/input_guard.h"
+#include "cli/interrupt.h"
+#include "cli/scene_options.h"
+#include "picture/still.h"
+#include "store/scene_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct WatchArguments {
+  std::string scene;
+  SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
+  std::optional<double> time;
+  std::string output;
+};
+
+/// A version of a file, unlike that of one which replaces it; nothing if there is no file.
+using Version = std::optional<std::tuple<dev_t, ino_t, off_t, time_t, long>>;
+
+/// The versions of files, looked at again and again: folders on networks tell of no changes.
+class WatchedFiles {
+ public:
+  /// Watches the scene and these files, from their present versions on.
+  void reset(const std::vector<Input>& inputs) {
+    versions_.clear();
+    for (const Input& input : inputs) versions_[input.path] = versionOf(input.path);
+  }
+
+  /// Waits until a file changes, and then until none is being written; returns early if `stop`.
+  void waitForChange(const std::atomic<bool>& stop) {
+    const auto look = [&] {
+      std::this_thread::sleep_for(kPause);
+      bool hasChanged = false;
+      for (auto& [path, version] : versions_) {
+        const Version now = versionOf(path);
+        hasChanged |= now != version;
+        version = now;
+      }
+      return hasChanged;
+    };
+    while (!stop && !look()) continue;
+    while (!stop && look()) continue;
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kPause{50};
+
+  static Version versionOf(const std::filesystem::path& path) {
+    struct stat found {};
+    if (stat(path.c_str(), &found) != 0) return std::nullopt;
+    return std::tuple(found.st_dev, found.st_ino, found.st_size, found.st_ctim.tv_sec,
+                      found.st_ctim.tv_nsec);
+  }
+
+  std::map<std::filesystem::path, Version> versions_;
+};
+
+/// Reads the scene and draws it anew. Throws InputError; leaves the last picture then.
+void drawAnew(const WatchArguments& arguments, WatchedFiles& files) {
+  const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  const std::vector<Input> inputs = inputsOf(arguments.scene, scene);
+  files.reset(inputs);
+  const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
+  requirePictureOutput(output, inputs);
+  const std::int64_t frame =
+      picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
+  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(output))
+            << std::flush;
+}
+
+int watchScene(const WatchArguments& arguments) {
+  if (arguments.scene == store::kStandardInput)
+    throw InputError("the standard input can't be watched; name a scene's file");
+  const std::atomic<bool>& stop = catchInterrupts();
+  WatchedFiles files;
+  drawAnew(arguments, files);
+  for (files.waitForChange(stop); !stop; files.waitForChange(stop)) {
+    try {
+      drawAnew(arguments, files);
+    } catch (const InputError& error) {
+      printError(error.what());
+    }
+  }
+  return interruptStatus();
+}
+
+}  // namespace
+
+void addWatchCommand(CLI::App& program, Action& action) {
+  auto [command, arguments] = addCommand(
+      program, action, "watch", "Draw a still anew whenever its scene is saved", watchScene);
+  command.add_option("SCENE", arguments.scene, "Scene file")->required();
+  addOption(command, "-o,--output", "FILE", arguments.output,
+            "PNG to write; by default NAME.png in the folder where you are");
+  addOption(command, "--time", "SECONDS", arguments.time,
+            "Time in the video, whose nearest frame is drawn; by default the poster's");
+  arguments.sceneOptions.addTo(command);
+  arguments.deviceOptions.addTo(command);
+  command.footer(R"(
+The files that the scene names are watched, too. A mistake is printed, and the last picture stays
+until it is corrected. Ctrl-C ends it, with the exit status 130.
+
+Example:
+  rotatebook watch my.toml)");
+}
+
+}  // namespace rotatebook::cli

@@ -16,19 +16,20 @@ Path = Union[str, "os.PathLike[str]"]
 Numbers = npt.NDArray[np.float64]
 Progress = Callable[[int, int], None]  # Called with what is done, and with how much there is.
 
-_FILE_KEYS = {"file", "mesh", "words", "front", "spine", "back"}  # The last parts of keys that name files.
+_CORE_FILES = {"file", "mesh", "words"}  # The last parts of keys that name files which the core reads.
+_FILES = _CORE_FILES | {"front", "spine", "back"}
 
 
-def _names_in(tree: Any) -> Iterator[str]:
-    """Yields the files that a scene's tree names."""
+def _names_in(tree: Any, keys: set[str]) -> Iterator[str]:
+    """Yields the files that a scene's tree names by such keys."""
     if isinstance(tree, list):
         for value in tree:
-            yield from _names_in(value)
+            yield from _names_in(value, keys)
     elif isinstance(tree, dict):
         for key, value in tree.items():
-            if isinstance(value, str) and key.rsplit(".")[-1] in _FILE_KEYS:
+            if isinstance(value, str) and key.rsplit(".")[-1] in keys:
                 yield value
-            yield from _names_in(value)
+            yield from _names_in(value, keys)
 
 
 class Scene:
@@ -36,6 +37,8 @@ class Scene:
 
     def __init__(self, text: str, *, folder: Optional[Path] = None, name: str = "scene") -> None:
         """Reads the TOML `text`. The files that it names are looked for in `folder`, and nowhere else."""
+        if name != os.path.basename(name) or not name:
+            raise ValueError(f"a scene's name, which its files get, has no slash and isn't empty, unlike {name!r}")
         self.text = text
         self.folder = pathlib.Path(folder or ".")
         self.name = name
@@ -86,9 +89,12 @@ class Scene:
 
     def files(self) -> dict[str, bytes]:
         """Returns the files that it names, those that there are in its folder, by name."""
+        return self._files(_FILES)
+
+    def _files(self, keys: set[str]) -> dict[str, bytes]:
         files = {}
         root = self.folder.resolve()
-        for name in _names_in(self._context().tree_of(self.text)):
+        for name in _names_in(self._context().tree_of(self.text), keys):
             path = (root / name).resolve()
             if root in path.parents and path.is_file():
                 files[name] = path.read_bytes()
@@ -98,7 +104,7 @@ class Scene:
         return Context(f"{self.name}.toml", files)
 
     def _open(self) -> tuple[Context, Any]:
-        context = self._context(self.files())
+        context = self._context(self._files(_CORE_FILES))
         return context, context.read(self.text)
 
     def __repr__(self) -> str:

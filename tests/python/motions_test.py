@@ -125,6 +125,9 @@ class Scenes(unittest.TestCase):
         self.assertEqual((error.line, error.column), (6, 1))
         self.assertIn('my.toml:6:1: unknown key "maas" in [body]; did you mean "mass"?', str(error))
         self.assertEqual([mistake.line for mistake in error.mistakes][:2], [6, 8])
+        for name in ("my/own", ""):
+            with self.assertRaisesRegex(ValueError, f"unlike {name!r}"):
+                Scene(THROW, name=name)
 
     def test_read_nothing_outside_their_folders(self):
         pathlib.Path("inside").mkdir(exist_ok=True)

@@ -72,7 +72,9 @@ def run(words: Sequence[str], progress: Optional[Progress] = None) -> Report:
     command = [program(), *words, "--json", "--progress", "json"]
     said = []
     with tempfile.TemporaryFile("w+") as out:
-        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True)
+        # In a session of its own: a terminal's Ctrl-C goes to all of one, and a second signal ends the program at once.
+        child = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True,
+                                 start_new_session=True)
         assert child.stderr is not None
         try:
             for line in child.stderr:

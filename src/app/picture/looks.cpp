@@ -220,6 +220,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen&
   settings.background = backgroundOf(scene.look.background);
   settings.plainColour = scene.look.plainColour;
   settings.camera = timeline::cameraOf(scene, screen);
+  settings.drawsBodies = scene.look.body;
   if (scene.grid &&
       std::min(screen.width, screen.height) * scene.look.supersample <= kLargestSmall) {
     settings.detail = geometry::MeshDetail::Small;

@@ -135,6 +135,7 @@ struct LookSettings {
   /// after each sample, as for a shutter that is open half of the time. 1 gives a sharp picture.
   int motionBlur = 1;
   Rgb plainColour{};  ///< For Background::Plain.
+  bool body = true;   ///< False draws overlays alone.
 
   friend bool operator==(const LookSettings&, const LookSettings&) = default;
 };
@@ -145,6 +146,7 @@ struct OverlaySettings {
   std::string font = "builtin";  ///< An installed family, or kBuiltin.
   double scale = 1;              ///< Size of letters, lines and charts, 0.5 to 3.
   Words words;                   ///< Of the pictures, in one language.
+  bool band = true;              ///< False leaves out the dark ground of the text at the bottom.
 
   friend bool operator==(const OverlaySettings&, const OverlaySettings&) = default;
 };

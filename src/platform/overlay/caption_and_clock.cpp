@@ -240,12 +240,13 @@ struct CaptionAndClock::Parts {
     }
   }
 
-  /// Leaves room for text from row `first` on, and adds a dark background unless the picture's has
-  /// a colour to keep, or the text is below a grid.
+  /// Leaves room for text from row `first` on, and adds a dark background unless the scene has
+  /// none, the picture's has a colour to keep, or the text is below a grid.
   void addShade(int first) {
     const int top = std::max(0, first - margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
-    if (scene.look.background == scene::Background::Plain || scene.grid) return;
+    const bool isPlain = scene.look.background == scene::Background::Plain;
+    if (!scene.overlay.band || isPlain || scene.grid) return;
     const int shadeTop = std::max(0, top - 5 * margin / 4);
     background = shade(scale.width, scale.height - shadeTop, shadeTop, std::max(1, top - shadeTop));
   }

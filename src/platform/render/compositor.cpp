@@ -53,6 +53,7 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
 void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   const image::Image& background = body.background.width() > 0 ? body.background : background_;
   picture = background;
+  if (body.bands.empty()) return;
   for (const geometry::PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();

@@ -29,6 +29,7 @@ struct RenderSettings {
   int bottomRows = 0;
   geometry::Camera camera;
   geometry::MeshDetail detail = geometry::MeshDetail::Full;  ///< Of the book.
+  bool drawsBodies = true;  ///< Else pictures show the background alone.
   DeviceChoice device{};
 };
 

@@ -177,8 +177,9 @@ struct Renderer::Parts {
     bodies[drawn.look].stripFinder.find(cage, drawn.clipFromWorld, drawn.winding, {width, height},
                                         drawn.strips.onScreen);
     const bool isOutside = projection.bounds.width <= 0 || projection.bounds.height <= 0;
-    if (isOutside) drawn.bands.clear();
-    return isOutside ? geometry::PixelRect{} : projection.bounds;
+    const bool isUnseen = isOutside || !settings.drawsBodies;
+    if (isUnseen) drawn.bands.clear();
+    return isUnseen ? geometry::PixelRect{} : projection.bounds;
   }
 
   /// Draws bodies that are projected, each into a cell of its own.

@@ -1,5 +1,11 @@
 #include "picture/frame_drawer.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "image/comparison.h"
@@ -98,6 +104,48 @@ TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
   const image::Image first = drawnFrame(sharp, 5);
   EXPECT_EQ(drawnFrame(blurred, 5), expected);
   EXPECT_NE(first, expected);
+}
+
+scene::Scene clearScene(const std::string& overlays, std::vector<std::string> settings = {}) {
+  settings.insert(settings.end(), {"clip.size=[320, 180]", "look.background=transparent",
+                                   "overlay.show=" + overlays});
+  return pipeline::testing::smallScene(settings);
+}
+
+std::array<int, 4> pixelAt(const image::Image& picture, int x, int y) {
+  const std::uint8_t* pixel = picture.row(y) + static_cast<std::ptrdiff_t>(x) * 4;
+  return {pixel[0], pixel[1], pixel[2], pixel[3]};
+}
+
+TEST(FrameDrawer, DrawsNothingWithoutBodiesAndOverlays) {
+  const image::Image nothing(320, 180, image::PixelFormat::Rgba8);
+  EXPECT_NE(drawnFrame(clearScene("[]"), 7), nothing);
+  EXPECT_EQ(drawnFrame(clearScene("[]", {"look.body=false"}), 7), nothing);
+  for (const char* way :
+       {"look.motion_blur=2", "look.supersample=2", "body.shape=racket", "camera.frame=turning"})
+    EXPECT_EQ(drawnFrame(clearScene("[]", {"look.body=false", way}), 7), nothing) << way;
+}
+
+TEST(FrameDrawer, DrawsTheSameOverlaysWithoutBodies) {
+  const std::string overlays = "['clock', 'axes', 'momentum', 'omega']";
+  const image::Image body = drawnFrame(clearScene("[]"), 7);
+  const image::Image both = drawnFrame(clearScene(overlays), 7);
+  const image::Image alone = drawnFrame(clearScene(overlays, {"look.body=false"}), 7);
+  int beside = 0, over = 0;
+  for (int y = 0; y < body.height(); ++y) {
+    for (int x = 0; x < body.width(); ++x) {
+      const bool isDrawn = pixelAt(alone, x, y)[3] > 0;
+      if (pixelAt(body, x, y)[3] == 0) {
+        ASSERT_EQ(pixelAt(alone, x, y), pixelAt(both, x, y)) << x << " " << y;
+        beside += isDrawn;
+      } else if (pixelAt(body, x, y) != pixelAt(both, x, y)) {
+        ASSERT_TRUE(isDrawn) << x << " " << y;
+        ++over;
+      }
+    }
+  }
+  EXPECT_GT(beside, 1000);  // measured 1243
+  EXPECT_GT(over, 500);     // measured 626
 }
 
 }  // namespace

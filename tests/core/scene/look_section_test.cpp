@@ -12,10 +12,16 @@ TEST(LookSection, ReadsEveryKey) {
   EXPECT_EQ(plain.look.background, Background::Studio);
   EXPECT_EQ(plain.look.supersample, 1);
   EXPECT_EQ(plain.look.motionBlur, 1);
-  const Scene scene = sceneFrom("[look]\nbackground = 'stars'\nsupersample = 2\nmotion_blur = 4");
+  EXPECT_TRUE(plain.look.body);
+  EXPECT_TRUE(plain.overlay.band);
+  const Scene scene = sceneFrom(
+      "[look]\nbackground = 'stars'\nsupersample = 2\nmotion_blur = 4\nbody = false\n"
+      "[overlay]\nband = false");
   EXPECT_EQ(scene.look.background, Background::Stars);
   EXPECT_EQ(scene.look.supersample, 2);
   EXPECT_EQ(scene.look.motionBlur, 4);
+  EXPECT_FALSE(scene.look.body);
+  EXPECT_FALSE(scene.overlay.band);
 }
 
 TEST(LookSection, MayHaveABackgroundOfOneColour) {
@@ -39,6 +45,10 @@ TEST(LookSection, RefusesWhatThereIsNot) {
             "a.toml:2:15: look.motion_blur must be 1, 2, 4, 8 or 16, not 6");
   EXPECT_EQ(errorOf("[look]\nmotion_blur = 32"),
             "a.toml:2:15: look.motion_blur must be an integer from 1 to 16, not 32");
+  EXPECT_EQ(errorOf("[look]\nbody = 'no'"),
+            "a.toml:2:8: look.body must be true or false, not \"no\"");
+  EXPECT_EQ(errorOf("[overlay]\nband = 0"),
+            "a.toml:2:8: overlay.band must be true or false, not 0");
 }
 
 }  // namespace

@@ -147,6 +147,7 @@ back = "builtin"
 background = "studio"  # "studio", "stars", "transparent", "white", "black" or a colour such as "#2b5d8a"
 supersample = 1  # 1, or 2 to draw with twice as many pixels across and down
 motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
+body = true
 
 [overlay]
 show = []  # of )" + listOfOverlays("and") +
@@ -154,6 +155,7 @@ show = []  # of )" + listOfOverlays("and") +
 font = "builtin"  # "builtin" or an installed family
 scale = 1.0
 words = "english"  # "english", "german", a table or the file of one
+band = true
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

@@ -47,6 +47,8 @@ const std::map<std::string, std::string> kOwnValues{
     {"book.color", "'#102030'"},
     {"look.background", "'stars'"},
     {"look.motion_blur", "4"},
+    {"look.body", "false"},
+    {"overlay.band", "false"},
     {"overlay.show", "['clock']"},
     {"overlay.words", "'german'"},
     {"panel.N.label", "'other'"},

@@ -71,6 +71,29 @@ TEST(CaptionAndClock, HaveTheCaptionInTheRowsThatTheySay) {
   EXPECT_LT(rows, 200);
 }
 
+// On white, letters have a dark edge; above and between them nothing changes without the band.
+TEST(CaptionAndClock, HaveNoGroundWithoutTheBand) {
+  const auto onWhite = [](const std::string& band) {
+    const scene::Scene scene =
+        sceneWith({"overlay.show=['caption']", "caption='Some words.'", "overlay.band=" + band});
+    image::Image picture(1280, 720, image::PixelFormat::Rgb8);
+    for (int y = 0; y < 720; ++y) std::fill_n(picture.row(y), 3 * 1280, std::uint8_t{255});
+    CaptionAndClock(scene).draw(0, picture);
+    return picture;
+  };
+  const auto changed = [](const image::Image& picture) {
+    return std::ranges::count_if(picture.bytes(), [](char value) { return value != '\xff'; });
+  };
+  const image::Image with = onWhite("true"), without = onWhite("false");
+  EXPECT_LT(with.row(719)[3 * 1279], 120);
+  EXPECT_EQ(without.row(719)[3 * 1279], 255);
+  EXPECT_GT(changed(without), 1000);
+  EXPECT_LT(20 * changed(without), changed(with));
+  EXPECT_EQ(
+      CaptionAndClock(sceneWith({"overlay.show=['caption']"})).bottomRows(),
+      CaptionAndClock(sceneWith({"overlay.show=['caption']", "overlay.band=false"})).bottomRows());
+}
+
 TEST(CaptionAndClock, HaveAClockThatFollowsTheSimulatedTime) {
   const scene::Scene scene = sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.5"});
   EXPECT_LT(litRows(drawn(scene, 0)).end, 72);

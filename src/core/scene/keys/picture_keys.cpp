@@ -29,6 +29,8 @@ constexpr const char* kBackgroundTexts =
     "\"studio\", \"stars\", \"transparent\", \"white\", \"black\" or a colour such as \"#2b5d8a\"";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
 
+constexpr const char* kFlags = "true or false";
+
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};
 constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
@@ -81,6 +83,16 @@ int momentsFrom(const ValueReader& value) {
   const int moments = value.integer(1, kMaxMoments);
   if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
   return moments;
+}
+
+bool flagFrom(const ValueReader& value) {
+  const auto* flag = std::get_if<bool>(&value.node().value);
+  if (flag == nullptr) value.mismatch(kFlags);
+  return *flag;
+}
+
+std::string flagText(bool flag) {
+  return flag ? "true" : "false";
 }
 
 std::vector<Overlay> overlaysFrom(const ValueReader& value) {
@@ -248,6 +260,9 @@ Keys<LookSettings> lookKeys() {
               "motion_blur", kNumberKind, kBlurMoments,
               {.comment = "moments averaged in a picture: 1, 2, 4, 8 or 16",
                .meaning = "number of moments averaged in a picture"}),
+          own<&LookSettings::body, flagFrom, flagText>(
+              "body", {.flag = true}, kFlags,
+              {.meaning = "false: no bodies, only what is drawn over them"}),
       });
   return keys;
 }
@@ -271,6 +286,9 @@ Keys<OverlaySettings> overlayKeys() {
                     "words", {.text = true, .table = true}, kExpectedWords,
                     {.comment = "\"english\", \"german\", a table or the file of one",
                      .meaning = "the words that pictures show, and their `decimal_mark`"}),
+                own<&OverlaySettings::band, flagFrom, flagText>(
+                    "band", {.flag = true}, kFlags,
+                    {.meaning = "false: the text at the bottom has no dark ground"}),
             });
   return keys;
 }

@@ -28,7 +28,6 @@ constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's
 constexpr const char* kBackgroundTexts =
     "\"studio\", \"stars\", \"transparent\", \"white\", \"black\" or a colour such as \"#2b5d8a\"";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
-
 constexpr const char* kFlags = "true or false";
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};

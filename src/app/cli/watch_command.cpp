@@ -10,6 +10,7 @@
 #include <sys/stat.h>
 #include <thread>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -42,10 +43,18 @@ using Version = std::optional<std::tuple<dev_t, ino_t, off_t, time_t, long>>;
 /// The versions of files, looked at again and again: folders on networks tell of no changes.
 class WatchedFiles {
  public:
-  /// Watches the scene and these files, from their present versions on.
-  void reset(const std::vector<Input>& inputs) {
-    versions_.clear();
-    for (const Input& input : inputs) versions_[input.path] = versionOf(input.path);
+  /// Watches the scene, from before it is read.
+  explicit WatchedFiles(const std::string& scene) { versions_[scene] = versionOf(scene); }
+
+  /// Watches these files alone: those it watched before from the version that it saw, since a later
+  /// one may not have been read, others from the present one on.
+  void setFiles(const std::vector<Input>& inputs) {
+    std::map<std::filesystem::path, Version> versions;
+    for (const Input& input : inputs) {
+      const auto seen = versions_.find(input.path);
+      versions[input.path] = seen == versions_.end() ? versionOf(input.path) : seen->second;
+    }
+    versions_ = std::move(versions);
   }
 
   /// Waits until a file changes, and then until none is being written; returns early if `stop`.
@@ -81,7 +90,7 @@ class WatchedFiles {
 void drawAnew(const WatchArguments& arguments, WatchedFiles& files) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   const std::vector<Input> inputs = inputsOf(arguments.scene, scene);
-  files.reset(inputs);
+  files.setFiles(inputs);
   const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
   requirePictureOutput(output, inputs);
   const std::int64_t frame =
@@ -94,7 +103,7 @@ int watchScene(const WatchArguments& arguments) {
   if (arguments.scene == store::kStandardInput)
     throw InputError("the standard input can't be watched; name a scene's file");
   const std::atomic<bool>& stop = catchInterrupts();
-  WatchedFiles files;
+  WatchedFiles files(arguments.scene);
   drawAnew(arguments, files);
   for (files.waitForChange(stop); !stop; files.waitForChange(stop)) {
     try {

@@ -85,10 +85,10 @@ TEST(CaptionAndClock, HaveNoGroundWithoutTheBand) {
     return std::ranges::count_if(picture.bytes(), [](char value) { return value != '\xff'; });
   };
   const image::Image with = onWhite("true"), without = onWhite("false");
-  EXPECT_LT(with.row(719)[3 * 1279], 120);
+  EXPECT_LT(with.row(719)[3 * 1279], 120);  // measured 92
   EXPECT_EQ(without.row(719)[3 * 1279], 255);
-  EXPECT_GT(changed(without), 1000);
-  EXPECT_LT(20 * changed(without), changed(with));
+  EXPECT_GT(changed(without), 1000);                // measured 12,975
+  EXPECT_LT(20 * changed(without), changed(with));  // measured 652,800
   EXPECT_EQ(
       CaptionAndClock(sceneWith({"overlay.show=['caption']"})).bottomRows(),
       CaptionAndClock(sceneWith({"overlay.show=['caption']", "overlay.band=false"})).bottomRows());

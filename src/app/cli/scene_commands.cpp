@@ -133,7 +133,8 @@ int checkScenes(const CheckArguments& arguments) {
     file.notes = notes;
     if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
     if (arguments.json) continue;
-    std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(path) + ": ok\n");
+    const std::string& name = path == store::kStandardInput ? file.scene->name : path;
+    std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(name) + ": ok\n");
   }
   if (arguments.json) printJson(files, checkJson);
   return statusOfAll(files);

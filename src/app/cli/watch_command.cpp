@@ -22,6 +22,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
+#include "cli/live_follower.h"
 #include "cli/scene_options.h"
 #include "picture/still.h"
 #include "store/scene_file.h"
@@ -34,7 +35,7 @@ struct WatchArguments {
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
   std::optional<double> time;
-  std::string output;
+  std::string output, live;
 };
 
 /// A version of a file, unlike that of one which replaces it; nothing if there is no file.
@@ -86,31 +87,53 @@ class WatchedFiles {
   std::map<std::filesystem::path, Version> versions_;
 };
 
+/// The pictures of a scene that is watched.
+struct Shown {
+  std::string still;
+  std::optional<LiveFollower> live;
+};
+
+/// Returns them once nothing is in their way. Throws InputError.
+Shown shownOf(const WatchArguments& arguments) {
+  const std::filesystem::path scene(arguments.scene);
+  const std::string name = scene.stem().string();
+  Shown shown{arguments.output.empty() ? name + ".png" : arguments.output, std::nullopt};
+  requirePictureOutput(shown.still, {{scene, "the scene itself"}});
+  if (arguments.live.empty()) return shown;
+  shown.live.emplace(arguments.live, std::filesystem::path(shown.still).parent_path(), name);
+  std::cout << fmt::format("{}: open {} in a browser\n", name, oneLine(shown.live->page().string()))
+            << std::flush;
+  return shown;
+}
+
 /// Reads the scene and draws it anew. Throws InputError; leaves the last picture then.
-void drawAnew(const WatchArguments& arguments, WatchedFiles& files) {
+void drawAnew(const WatchArguments& arguments, const Shown& shown, WatchedFiles& files) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   const std::vector<Input> inputs = inputsOf(arguments.scene, scene);
   files.setFiles(inputs);
-  const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
-  requirePictureOutput(output, inputs);
+  requirePictureOutput(shown.still, inputs);
+  if (shown.live) shown.live->play(scene, arguments.scene);
   const std::int64_t frame =
-      picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
-  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(output))
+      picture::renderStill(scene, arguments.time, shown.still, arguments.deviceOptions.choice());
+  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(shown.still))
             << std::flush;
 }
 
 int watchScene(const WatchArguments& arguments) {
   if (arguments.scene == store::kStandardInput)
     throw InputError("the standard input can't be watched; name a scene's file");
+  store::requireScene(arguments.scene);
+  const Shown shown = shownOf(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
   WatchedFiles files(arguments.scene);
-  drawAnew(arguments, files);
-  for (files.waitForChange(stop); !stop; files.waitForChange(stop)) {
+  while (!stop) {
     try {
-      drawAnew(arguments, files);
+      drawAnew(arguments, shown, files);
     } catch (const InputError& error) {
       printError(error.what());
+      if (shown.live) shown.live->say(error.what());
     }
+    files.waitForChange(stop);
   }
   return interruptStatus();
 }
@@ -119,17 +142,22 @@ int watchScene(const WatchArguments& arguments) {
 
 void addWatchCommand(CLI::App& program, Action& action) {
   auto [command, arguments] = addCommand(
-      program, action, "watch", "Draw a still anew whenever its scene is saved", watchScene);
+      program, action, "watch",
+      "Draw a still, and play the live book, anew whenever a scene is saved", watchScene);
   command.add_option("SCENE", arguments.scene, "Scene file")->required();
   addOption(command, "-o,--output", "FILE", arguments.output,
             "PNG to write; by default NAME.png in the folder where you are");
   addOption(command, "--time", "SECONDS", arguments.time,
             "Time in the video, whose nearest frame is drawn; by default the poster's");
+  addOption(
+      command, "--live", "PLAY.html", arguments.live,
+      "The live book, which make play makes: NAME.live.html beside the still plays the scene");
   arguments.sceneOptions.addTo(command);
   arguments.deviceOptions.addTo(command);
   command.footer(R"(
 The files that the scene names are watched, too. A mistake is printed, and the last picture stays
-until it is corrected. Ctrl-C ends it, with the exit status 130.
+until it is corrected. With --live, NAME.live.html in a browser plays what was saved, too, from the
+moment and the side that it shows. Ctrl-C ends it, with the exit status 130.
 
 Example:
   rotatebook watch my.toml)");

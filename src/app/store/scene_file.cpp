@@ -95,10 +95,7 @@ scene::Scene parsedScene(const std::string& text, const fs::path& path,
 
 }  // namespace
 
-scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
-                       bool allowOutside) {
-  if (path == kStandardInput)
-    return parsedScene(readStandardInput(), kNameOfInput, overrides, allowOutside);
+void requireScene(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) document::failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
@@ -107,6 +104,13 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
     document::failAt(path.string(), fmt::format("the scene's name {} {}; rename the file",
                                                 document::tomlString(name), problem));
   }
+}
+
+scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
+                       bool allowOutside) {
+  if (path == kStandardInput)
+    return parsedScene(readStandardInput(), kNameOfInput, overrides, allowOutside);
+  requireScene(path);
   return parsedScene(readSceneText(path), path, overrides, allowOutside);
 }
 

@@ -20,6 +20,10 @@ inline constexpr const char* kNameOfInput = "stdin";
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {}, bool allowOutside = false);
 
+/// Throws InputError unless there is a file at `path` that a scene may be read from; for a missing
+/// one, the message suggests the nearest existing name.
+void requireScene(const std::filesystem::path& path);
+
 /// Reads the files that the motions of a record's scene follow from, in the scene's folder, which
 /// they don't leave unless Scene::allowOutside; see scene::readMotionFiles().
 void readMotionFiles(scene::Scene& scene);

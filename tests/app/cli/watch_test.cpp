@@ -48,6 +48,40 @@ TEST_F(WatchTest, DrawsAnewAtEachSaveUntilItIsInterrupted) {
   EXPECT_EQ(read("tiny.png"), second);
 }
 
+TEST_F(WatchTest, TellsTheLiveBookOfEachSaveAndMistake) {
+  write("play.html", "<!doctype html>\n<section class=\"rb-live\"></section>\n");
+  write("tiny.toml", std::string(kTiny) + "\n[body]\nmaas = 1\n");
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  int step = 0;
+  std::string mistake, scene;
+  settings.signalWhen = [&] {
+    if (!fs::exists(folder() / "tiny.live.js")) return false;
+    const std::string script = read("tiny.live.js");
+    if (step == 0) {  // A scene that begins with a mistake is watched, too.
+      mistake = script;
+      write("tiny.toml", kTiny);
+      step = 1;
+    } else if (step == 1 && script != mistake) {
+      scene = script;
+      step = 2;
+    }
+    return step == 2 && fs::exists(folder() / "tiny.png");
+  };
+  const ChildResult result = run({"watch", "tiny.toml", "--live", "play.html"}, settings);
+  EXPECT_EQ(result.status, 130) << result.error;
+  EXPECT_THAT(result.output, StartsWith("tiny: open tiny.live.html in a browser\n"));
+  EXPECT_THAT(mistake, HasSubstr("unknown key \\\"maas\\\" in [body]"));
+  EXPECT_THAT(scene, HasSubstr("rotatebookFollows({\"text\":\""));
+  const std::string page = read("tiny.live.html");
+  EXPECT_THAT(page, HasSubstr(read("play.html")));
+  EXPECT_THAT(page, HasSubstr("follow(\"tiny.live.js\");"));
+  EXPECT_EQ(run({"watch", "tiny.toml", "--live", "tiny.toml"}).status, 2);
+  write("tiny.live.js", "somebody's");
+  EXPECT_EQ(run({"watch", "tiny.toml", "--live", "play.html"}).status, 2);
+  EXPECT_EQ(read("tiny.live.js"), "somebody's");
+}
+
 TEST_F(WatchTest, RefusesWhatCannotBeWatched) {
   EXPECT_EQ(run({"watch", "-"}).status, 2);
   EXPECT_EQ(run({"watch", "none.toml"}).status, 2);

@@ -136,15 +136,19 @@ PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
 /// Divides a plan by these efforts: clips that are short, or have no PNGs to join, stay whole.
 void divide(farm::Plan& plan, const std::vector<farm::Effort>& efforts,
             const SubmitArguments& arguments, const farm::Slots& slots) {
-  if (!arguments.noPng) {
-    const std::vector<std::int64_t> parts =
-        arguments.chunk > 0 ? farm::partsOfChunk(efforts, arguments.chunk, slots)
-                            : farm::partsOf(efforts, slots);
-    for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
+  if (plan.work == farm::Work::Render) {
+    const farm::DividedClips clips =
+        farm::divideClips(efforts, arguments.chunk, slots, !arguments.noPng);
+    for (std::size_t i = 0; i < efforts.size(); ++i) {
+      plan.scenes[i].parts = clips.parts[i];
+      plan.scenes[i].startsTask = clips.startsTask[i];
+    }
+    return;
   }
-  if (!farm::makesWholeClips(plan)) return;
-  const std::vector<bool> starts = farm::tasksOfWholes(efforts, arguments.chunk, slots);
-  for (std::size_t i = 0; i < starts.size(); ++i) plan.scenes[i].startsTask = starts[i];
+  const std::vector<std::int64_t> parts = arguments.chunk > 0
+                                              ? farm::partsOfChunk(efforts, arguments.chunk, slots)
+                                              : farm::partsOf(efforts, slots);
+  for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
 }
 
 /// Divides a plan by what is measured here, or by --chunk.
@@ -201,7 +205,7 @@ int printScripts(const farm::StoredPlan& stored, const farm::PlanFiles& files,
   };
   print(files.tasks, farm::listText(stored.plan, farm::tasksOf(stored.plan)));
   if (!missing.empty()) print(files.partScript, script(missing));
-  if (!joinCommandOf(stored.plan).empty()) print(files.joinScript, script({}));
+  if (!joinedScenesOf(stored.plan).empty()) print(files.joinScript, script({}));
   return kDone;
 }
 
@@ -232,7 +236,7 @@ Divides the work into tasks of some minutes, by the time that a few frames take 
 and sends them to Slurm as one array job, and a job that joins their results in DIR, which all
 machines see. Tasks that are killed are tried again, and go on. The same command once more sends only
 what is missing. What is sent is in DIR/farm, as text; 'rotatebook status DIR' shows what becomes of it.
-A study is one task. A task takes several clips if they are short, or have no PNGs; then nothing is
+A study is one task. A task takes several clips if they are short, or have no PNGs; these aren't
 joined. --plan prints the tasks, for machines without Slurm.
 
 Examples:

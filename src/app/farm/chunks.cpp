@@ -67,35 +67,69 @@ std::vector<double> taskTimes(const std::vector<Effort>& efforts, const Slots& s
   return seconds;
 }
 
-/// Starts a task where a scene's time no longer fits into the one before.
-std::vector<bool> grouped(const std::vector<double>& times, double limit) {
-  std::vector<bool> starts;
-  double filled = 0;
-  for (const double time : times) {
-    starts.push_back(starts.empty() || filled + time > limit);
-    filled = starts.back() ? time : filled + time;
+std::int64_t countTasks(const DividedClips& clips) {
+  return sumOf(clips.parts) - std::ranges::count(clips.startsTask, false);
+}
+
+/// Puts whole clips into tasks: another one where a clip's time no longer fits into the last.
+DividedClips grouped(const std::vector<std::int64_t>& parts, const std::vector<double>& times,
+                     double limit) {
+  DividedClips clips{parts, {}};
+  double filled = limit;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    clips.startsTask.push_back(parts[i] > 1 || filled + times[i] > limit);
+    if (parts[i] == 1) filled = clips.startsTask[i] ? times[i] : filled + times[i];
   }
-  return starts;
+  return clips;
+}
+
+/// Divides clips by a number of units.
+DividedClips clipsOfChunk(const std::vector<Effort>& efforts, std::int64_t chunk, bool mayBeCut) {
+  const std::vector<std::int64_t> parts =
+      mayBeCut ? partsOfSize(efforts, chunk) : std::vector<std::int64_t>(efforts.size(), 1);
+  std::vector<double> units;
+  for (const Effort& effort : efforts) units.push_back(static_cast<double>(effort.units));
+  return grouped(parts, units, static_cast<double>(chunk));
+}
+
+/// Throws InputError that names the smallest chunk if that one makes too many tasks.
+template <typename CountTasks>
+void requireFewTasks(const std::vector<Effort>& efforts, std::int64_t chunk, const Slots& slots,
+                     const CountTasks& countOf) {
+  const auto fitsWith = [&](std::int64_t one) {
+    return slots.maxTasks == 0 || countOf(one) <= slots.maxTasks;
+  };
+  if (fitsWith(chunk)) return;
+  std::int64_t tooSmall = chunk, large = chunk;
+  for (const Effort& effort : efforts) large += effort.units;
+  while (large - tooSmall > 1) {
+    const std::int64_t middle = tooSmall + (large - tooSmall) / 2;
+    (fitsWith(middle) ? large : tooSmall) = middle;
+  }
+  throw InputError(fmt::format(
+      "--chunk {} makes {} tasks; the cluster takes at most {} at once: take --chunk {} or more",
+      chunk, countOf(chunk), slots.maxTasks, large));
 }
 
 }  // namespace
 
-std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t chunk,
-                                const Slots& slots) {
+DividedClips divideClips(const std::vector<Effort>& efforts, std::int64_t chunk, const Slots& slots,
+                         bool mayBeCut) {
+  if (chunk > 0) {
+    const auto divided = [&](std::int64_t one) { return clipsOfChunk(efforts, one, mayBeCut); };
+    requireFewTasks(efforts, chunk, slots, [&](auto one) { return countTasks(divided(one)); });
+    return divided(chunk);
+  }
+  const std::vector<double> seconds = taskTimes(efforts, slots, kStartsInATask);
   std::vector<double> times;
-  for (const Effort& effort : efforts)
-    times.push_back(chunk > 0 ? static_cast<double>(effort.units) : secondsOf(effort));
-  double limit = chunk > 0 ? static_cast<double>(chunk)
-                           : std::ranges::max(taskTimes(efforts, slots, kStartsInATaskOfWholes));
-  for (;; limit *= kLonger) {
-    const std::vector<bool> starts = grouped(times, limit);
-    const auto tasks = std::ranges::count(starts, true);
-    if (slots.maxTasks == 0 || tasks <= slots.maxTasks) return starts;
-    if (chunk > 0) {
-      throw InputError(
-          fmt::format("--chunk {} makes {} tasks; the cluster takes at most {} at once", chunk,
-                      tasks, slots.maxTasks));
-    }
+  for (const Effort& effort : efforts) times.push_back(secondsOf(effort));
+  const double limit = std::ranges::max(taskTimes(efforts, slots, kStartsInATaskOfWholes));
+  for (double longer = 1;; longer *= kLonger) {
+    std::vector<std::int64_t> parts(efforts.size(), 1);
+    for (std::size_t i = 0; mayBeCut && i < efforts.size(); ++i)
+      parts[i] = partsOfLength(efforts[i], longer * seconds[i]);
+    const DividedClips clips = grouped(parts, times, longer * limit);
+    if (slots.maxTasks == 0 || countTasks(clips) <= slots.maxTasks) return clips;
   }
 }
 
@@ -114,17 +148,9 @@ std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slot
 std::vector<std::int64_t> partsOfChunk(const std::vector<Effort>& efforts, std::int64_t chunk,
                                        const Slots& slots) {
   requireFewScenes(efforts, slots);
-  std::vector<std::int64_t> parts = partsOfSize(efforts, chunk);
-  if (fits(parts, slots)) return parts;
-  std::int64_t tooSmall = chunk;
-  std::int64_t large = std::ranges::max(efforts, {}, &Effort::units).units;
-  while (large - tooSmall > 1) {
-    const std::int64_t middle = tooSmall + (large - tooSmall) / 2;
-    (fits(partsOfSize(efforts, middle), slots) ? large : tooSmall) = middle;
-  }
-  throw InputError(fmt::format(
-      "--chunk {} makes {} tasks; the cluster takes at most {} at once: take --chunk {} or more",
-      chunk, sumOf(parts), slots.maxTasks, large));
+  const auto divided = [&](std::int64_t one) { return partsOfSize(efforts, one); };
+  requireFewTasks(efforts, chunk, slots, [&](auto one) { return sumOf(divided(one)); });
+  return divided(chunk);
 }
 
 }  // namespace rotatebook::farm

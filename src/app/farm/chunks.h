@@ -27,11 +27,17 @@ struct Slots {
 /// be more than `maxTasks`. Throws InputError if there are more scenes than that.
 std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots);
 
-/// Returns of each scene whether it starts a task, where tasks take whole scenes: as many as in
-/// partsOf(), but at least 40 times a start, or of `chunk` units together if that isn't 0, unless a
-/// scene alone is longer. Throws InputError if there are too many for `slots`.
-std::vector<bool> tasksOfWholes(const std::vector<Effort>& efforts, std::int64_t chunk,
-                                const Slots& slots);
+/// Clips, divided into tasks.
+struct DividedClips {
+  std::vector<std::int64_t> parts;  ///< Of each; 1 of those that stay whole.
+  std::vector<bool> startsTask;     ///< False of a whole one that the task before takes, too.
+};
+
+/// Divides clips as partsOf(), or into parts of `chunk` units if that isn't 0. Those that are
+/// shorter, or all if none `mayBeCut`, stay whole, several in a task of at least 40 starts, or of
+/// `chunk` units together. Throws InputError that names the smallest chunk if there are too many.
+DividedClips divideClips(const std::vector<Effort>& efforts, std::int64_t chunk, const Slots& slots,
+                         bool mayBeCut);
 
 /// Returns the number of parts of each scene if each has `chunk` units, or fewer. Throws InputError
 /// that names the smallest chunk if there are too many.

@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include "base/text.h"
+#include "system/machine.h"
 
 namespace rotatebook::farm {
 namespace {
@@ -48,9 +49,8 @@ const char* unitsOf(Work work) {
   return kUnits[static_cast<int>(work)];
 }
 
-bool makesWholeClips(const Plan& plan) {
-  return plan.work == Work::Render &&
-         std::ranges::all_of(plan.scenes, [](const auto& scene) { return scene.parts == 1; });
+bool isWholeClip(const Plan& plan, const PlannedScene& scene) {
+  return plan.work == Work::Render && scene.parts == 1;
 }
 
 bool leavesFrames(const Plan& plan) {
@@ -63,34 +63,37 @@ std::int64_t countTasks(const Plan& plan) {
 
 std::vector<Task> tasksOf(const Plan& plan) {
   std::vector<Task> tasks;
+  std::optional<std::size_t> ofWholes;
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
-    const std::int64_t parts = plan.scenes[scene].parts;
-    if (!plan.scenes[scene].startsTask && !tasks.empty()) {
-      ++tasks.back().scenes;
+    const PlannedScene& planned = plan.scenes[scene];
+    const bool isWhole = isWholeClip(plan, planned);
+    if (isWhole && !planned.startsTask && ofWholes) {
+      tasks[*ofWholes].scenes.push_back(scene);
       continue;
     }
-    for (std::int64_t part = 1; part <= parts; ++part)
-      tasks.push_back({std::ssize(tasks) + 1, scene, {part, parts}});
+    if (isWhole) ofWholes = tasks.size();
+    for (std::int64_t part = 1; part <= planned.parts; ++part)
+      tasks.push_back({std::ssize(tasks) + 1, {scene}, {part, planned.parts}});
   }
   return tasks;
 }
 
 std::string describe(const Plan& plan, const Task& task) {
-  const std::string& name = plan.scenes[task.scene].name;
-  if (task.scenes > 1) return fmt::format("{} and {} more", name, task.scenes - 1);
+  const std::string& name = plan.scenes[task.scenes.front()].name;
+  if (task.scenes.size() > 1) return fmt::format("{} and {} more", name, task.scenes.size() - 1);
   if (task.part.count == 1) return name;
   return fmt::format("part {}/{} of {}", task.part.number, task.part.count, name);
 }
 
 namespace {
 
-/// Returns the words of the command that makes whole results of so many scenes from `first` on.
-std::vector<std::string> wholeCommandOf(const Plan& plan, std::size_t first, std::size_t count) {
+/// Returns the words of the command that makes whole results of these scenes.
+std::vector<std::string> wholeCommandOf(const Plan& plan, const std::vector<std::size_t>& scenes) {
   std::vector<std::string> words{plan.program.string(), nameOf(plan.work)};
   std::vector<std::string> checksums;
-  for (std::size_t i = first; i < first + count; ++i) {
-    words.push_back(plan.scenes[i].file.string());
-    checksums.push_back(plan.scenes[i].checksum);
+  for (const std::size_t scene : scenes) {
+    words.push_back(plan.scenes[scene].file.string());
+    checksums.push_back(plan.scenes[scene].checksum);
   }
   append(words, {"--resume"});
   append(words, commonWords(plan, joined(checksums, ",")));
@@ -98,17 +101,32 @@ std::vector<std::string> wholeCommandOf(const Plan& plan, std::size_t first, std
   return words;
 }
 
+/// Returns how many clips a task renders at a time.
+int clipsAtATime(const Plan& plan, const Task& task) {
+  return std::min(system::rendersFor(plan.cores), static_cast<int>(task.scenes.size()));
+}
+
+bool makesWholeClips(const Plan& plan, const Task& task) {
+  return isWholeClip(plan, plan.scenes[task.scenes.front()]);
+}
+
+/// Returns a command as a line of a shell; software draws with so many threads.
+std::string shellLine(const Plan& plan, const std::vector<std::string>& command, int threads) {
+  std::vector<std::string> words;
+  if (plan.work == Work::Render) words.push_back(fmt::format("LP_NUM_THREADS={}", threads));
+  for (const std::string& word : command) words.push_back(shellWord(word));
+  return joined(words, " ");
+}
+
 }  // namespace
 
 std::vector<std::string> commandOf(const Plan& plan, const Task& task) {
-  if (makesWholeClips(plan)) {
-    std::vector<std::string> words = wholeCommandOf(plan, task.scene, task.scenes);
-    // As many as render takes by default on so many cores
-    const int atATime = plan.cores == 1 ? 1 : std::max(2, plan.cores / 3);
-    append(words, {"--jobs", std::to_string(atATime)});
+  if (makesWholeClips(plan, task)) {
+    std::vector<std::string> words = wholeCommandOf(plan, task.scenes);
+    append(words, {"--jobs", std::to_string(clipsAtATime(plan, task))});
     return words;
   }
-  const PlannedScene& scene = plan.scenes[task.scene];
+  const PlannedScene& scene = plan.scenes[task.scenes.front()];
   std::vector<std::string> words{plan.program.string(), nameOf(plan.work), scene.file.string()};
   if (plan.work != Work::Study) {
     append(words, {"--part", fmt::format("{}/{}", task.part.number, task.part.count)});
@@ -118,20 +136,27 @@ std::vector<std::string> commandOf(const Plan& plan, const Task& task) {
   return words;
 }
 
+std::vector<std::size_t> joinedScenesOf(const Plan& plan) {
+  std::vector<std::size_t> scenes;
+  if (plan.work == Work::Study) return scenes;
+  for (std::size_t i = 0; i < plan.scenes.size(); ++i)
+    if (!isWholeClip(plan, plan.scenes[i])) scenes.push_back(i);
+  return scenes;
+}
+
 std::vector<std::string> joinCommandOf(const Plan& plan) {
-  if (plan.work == Work::Study || makesWholeClips(plan)) return {};
-  return wholeCommandOf(plan, 0, plan.scenes.size());
+  const std::vector<std::size_t> scenes = joinedScenesOf(plan);
+  return scenes.empty() ? std::vector<std::string>{} : wholeCommandOf(plan, scenes);
 }
 
-std::vector<std::string> environmentOf(const Plan& plan) {
-  if (plan.work != Work::Render) return {};
-  return {fmt::format("LP_NUM_THREADS={}", plan.cores)};
+std::string lineOf(const Plan& plan, const Task& task) {
+  const int atATime = makesWholeClips(plan, task) ? clipsAtATime(plan, task) : 1;
+  return shellLine(plan, commandOf(plan, task), std::max(1, plan.cores / atATime));
 }
 
-std::string shellLine(const Plan& plan, const std::vector<std::string>& command) {
-  std::vector<std::string> words = environmentOf(plan);
-  for (const std::string& word : command) words.push_back(shellWord(word));
-  return joined(words, " ");
+std::string joinLineOf(const Plan& plan) {
+  const std::vector<std::string> command = joinCommandOf(plan);
+  return command.empty() ? "" : shellLine(plan, command, plan.cores);
 }
 
 bool isSameWork(const Plan& one, const Plan& other) {

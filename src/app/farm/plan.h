@@ -34,7 +34,7 @@ struct PlannedScene {
   std::string values{};    ///< Of a map: store::mapFingerprint().
   std::int64_t units = 1;  ///< Frames of a clip, tiles of a map; a study is one.
   std::int64_t parts = 1;  ///< 1 to `units`
-  bool startsTask = true;  ///< False if the task of the scene before takes this one, too.
+  bool startsTask = true;  ///< False of a whole clip that the task of the one before takes, too.
   std::vector<std::filesystem::path> outputs{};  ///< Files that are there once all is done.
 
   friend bool operator==(const PlannedScene&, const PlannedScene&) = default;
@@ -57,36 +57,35 @@ struct Plan {
 
 /// A part of a scene's work, or the whole of one or several scenes, which one process does.
 struct Task {
-  std::int64_t number = 1;  ///< Counted through all scenes, from 1.
-  std::size_t scene = 0;    ///< The first.
+  std::int64_t number = 1;             ///< Counted through all scenes, from 1.
+  std::vector<std::size_t> scenes{0};  ///< Several are whole clips.
   store::ClipPart part{};
-  std::size_t scenes = 1;  ///< The number of scenes; several are whole.
 };
 
 /// Most tasks of a plan, and most cores of a task.
 inline constexpr std::int64_t kMaxTasks = 1'000'000;
 inline constexpr int kMaxCores = 1024;
 
-/// Returns whether each task makes whole clips, so that there is nothing to join.
-bool makesWholeClips(const Plan& plan);
+/// Returns whether a task makes the whole clip of that scene, so that there is nothing to join.
+bool isWholeClip(const Plan& plan, const PlannedScene& scene);
 /// Returns whether the clips have PNGs.
 bool leavesFrames(const Plan& plan);
 /// Returns the number of tasks.
 std::int64_t countTasks(const Plan& plan);
-/// Returns all tasks, scene by scene.
+/// Returns all tasks, scene by scene. Short clips share one, also where long ones lie between them.
 std::vector<Task> tasksOf(const Plan& plan);
 /// Returns "part 3/16 of NAME", or "NAME" if it has a single part; "NAME and 3 more" of scenes.
 std::string describe(const Plan& plan, const Task& task);
 
 /// Returns the words of a task's command. Any number of them may run at once, anywhere, also twice.
 std::vector<std::string> commandOf(const Plan& plan, const Task& task);
-/// Returns the words of the command that joins the tasks' results, after them; none for studies
-/// and whole clips, whose tasks leave nothing to join.
+/// Returns the scenes whose parts are joined after the tasks; none of studies and whole clips.
+std::vector<std::size_t> joinedScenesOf(const Plan& plan);
+/// Returns the words of the command that joins them; none if there is nothing to join.
 std::vector<std::string> joinCommandOf(const Plan& plan);
-/// Returns the variables of the environment that the commands want, as "NAME=VALUE".
-std::vector<std::string> environmentOf(const Plan& plan);
-/// Returns a command as a line of a shell, with its environment.
-std::string shellLine(const Plan& plan, const std::vector<std::string>& command);
+/// Returns these commands as lines of a shell, with their environment; "" if there is no join.
+std::string lineOf(const Plan& plan, const Task& task);
+std::string joinLineOf(const Plan& plan);
 
 /// Returns whether two plans do the same, in whatever parts.
 bool isSameWork(const Plan& one, const Plan& other);

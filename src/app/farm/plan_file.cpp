@@ -103,7 +103,7 @@ void requireSound(const Plan& plan, const std::string& file) {
       fail(fmt::format("the scene {} has {} parts of {} {}", quotedText(scene.name), scene.parts,
                        scene.units, unitsOf(plan.work)));
     }
-    if (!scene.startsTask && !makesWholeClips(plan))
+    if (!scene.startsTask && !isWholeClip(plan, scene))
       fail(fmt::format("the scene {} has no task", quotedText(scene.name)));
     units += scene.units;
     tasks += scene.parts;

@@ -79,10 +79,10 @@ struct TextFile {
 /// Returns the files with the commands of a plan.
 std::vector<TextFile> commandFiles(const PlanFiles& files, const Plan& plan) {
   std::string tasks;
-  for (const Task& task : tasksOf(plan)) tasks += shellLine(plan, commandOf(plan, task)) + '\n';
+  for (const Task& task : tasksOf(plan)) tasks += lineOf(plan, task) + '\n';
   std::vector<TextFile> all{{files.tasks, tasks}};
-  const std::vector<std::string> join = joinCommandOf(plan);
-  if (!join.empty()) all.push_back({files.join, shellLine(plan, join) + '\n'});
+  const std::string join = joinLineOf(plan);
+  if (!join.empty()) all.push_back({files.join, join + '\n'});
   return all;
 }
 

@@ -16,14 +16,8 @@ constexpr PlanFormat kFormats[] = {{"list", listText}, {"parallel", parallelText
 
 std::string linesOf(const Plan& plan, const std::vector<Task>& tasks) {
   std::string text;
-  for (const Task& task : tasks) text += shellLine(plan, commandOf(plan, task)) + '\n';
+  for (const Task& task : tasks) text += lineOf(plan, task) + '\n';
   return text;
-}
-
-/// Returns the line that joins the results; empty if there is none.
-std::string joinLine(const Plan& plan) {
-  const std::vector<std::string> join = joinCommandOf(plan);
-  return join.empty() ? "" : shellLine(plan, join) + '\n';
 }
 
 }  // namespace
@@ -38,9 +32,9 @@ const PlanFormat& planFormat(std::string_view name) {
 }
 
 std::string listText(const Plan& plan, const std::vector<Task>& tasks) {
-  const std::string join = joinLine(plan);
+  const std::string join = joinLineOf(plan);
   if (join.empty()) return linesOf(plan, tasks);
-  return linesOf(plan, tasks) + "# Once all of these have ended:\n" + join;
+  return linesOf(plan, tasks) + "# Once all of these have ended:\n" + join + '\n';
 }
 
 std::string parallelText(const Plan& plan, const std::vector<Task>& tasks) {
@@ -50,7 +44,8 @@ std::string parallelText(const Plan& plan, const std::vector<Task>& tasks) {
     text += "parallel --retries 3 \"$@\" <<'TASKS' || [ $? -le 101 ] || exit\n" +
             linesOf(plan, tasks) + "TASKS\n";
   }
-  return text + joinLine(plan);
+  const std::string join = joinLineOf(plan);
+  return join.empty() ? text : text + join + '\n';
 }
 
 }  // namespace rotatebook::farm

@@ -98,10 +98,15 @@ std::vector<SceneProgress> progressOf(const Plan& plan, const PlanFiles& files) 
 }
 
 bool isDone(const Plan& plan, const Task& task, const std::vector<SceneProgress>& progress) {
-  if (!makesWholeClips(plan)) return progress[task.scene].has(task.part);
-  const auto first = progress.begin() + static_cast<std::ptrdiff_t>(task.scene);
-  return std::all_of(first, first + static_cast<std::ptrdiff_t>(task.scenes),
-                     [](const SceneProgress& one) { return one.isWhole; });
+  return std::ranges::all_of(task.scenes, [&](std::size_t scene) {
+    return isWholeClip(plan, plan.scenes[scene]) ? progress[scene].isWhole
+                                                 : progress[scene].has(task.part);
+  });
+}
+
+bool areJoined(const Plan& plan, const std::vector<SceneProgress>& progress) {
+  return std::ranges::all_of(joinedScenesOf(plan),
+                             [&](std::size_t scene) { return progress[scene].isWhole; });
 }
 
 namespace {

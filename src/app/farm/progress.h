@@ -26,6 +26,9 @@ std::vector<SceneProgress> progressOf(const Plan& plan, const PlanFiles& files);
 /// Returns whether all that a task makes is there.
 bool isDone(const Plan& plan, const Task& task, const std::vector<SceneProgress>& progress);
 
+/// Returns whether all clips or maps are there that are joined of parts.
+bool areJoined(const Plan& plan, const std::vector<SceneProgress>& progress);
+
 /// Throws InputError if the folder of results holds unfinished work of other scenes or of another
 /// build under the same names, which tasks would refuse to go on with.
 void requireSameResults(const Plan& plan);

@@ -180,8 +180,8 @@ PlanState stateOf(const StoredPlan& stored, const PlanFiles& files) {
     state.tasks.push_back(stateOfTask(task.number, isDone(plan, task, progress), known));
     state.tasks.back().name = describe(plan, task);
   }
-  if (!joinCommandOf(plan).empty()) {
-    state.join = stateOfTask(kJoin, state.isWhole(), known);
+  if (!joinedScenesOf(plan).empty()) {
+    state.join = stateOfTask(kJoin, areJoined(plan, progress), known);
     state.join->name = "join";
   }
   state.remaining = remainingOf(state, known);

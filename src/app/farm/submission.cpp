@@ -90,7 +90,7 @@ void cancelEarlier(const std::vector<std::string>& jobs) {
 
 /// Sends the array of `sent` and the join after it; returns their numbers. The plan on the disk
 /// knows each as soon as it is sent.
-void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earlier,
+void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earlier, bool sendsJoin,
              Submission& submission) {
   const std::string oldJoin = earlier.hasJoin ? stored.jobs.join : "";
   stored.jobs = {earlier.arrays, oldJoin};
@@ -100,7 +100,7 @@ void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earl
   }
   try {
     writePlan(files, stored);
-    if (!joinCommandOf(stored.plan).empty()) {
+    if (sendsJoin) {
       submission.join = sendJob(files.joinScript, stored.jobs.arrays);
       stored.jobs.join = submission.join;
       writePlan(files, stored);
@@ -113,7 +113,7 @@ void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earl
   }
   std::vector<std::string> replaced = earlier.held;
   // First the join, which would begin where it waits for those that are held
-  if (!oldJoin.empty()) replaced.insert(replaced.begin(), oldJoin);
+  if (sendsJoin && !oldJoin.empty()) replaced.insert(replaced.begin(), oldJoin);
   cancelEarlier(replaced);
 }
 
@@ -145,6 +145,12 @@ std::vector<Task> missingOf(const Plan& plan, const std::vector<SceneProgress>& 
   return missing;
 }
 
+/// Returns whether an earlier task makes what this one would, or a join that runs.
+bool isQueued(const Plan& plan, const Task& task, const EarlierJobs& earlier) {
+  const bool isJoined = !isWholeClip(plan, plan.scenes[task.scenes.front()]);
+  return (earlier.joins && isJoined) || earlier.tasks.contains(task.number);
+}
+
 }  // namespace
 
 std::vector<Task> missingTasks(const Plan& plan, const PlanFiles& files) {
@@ -168,11 +174,12 @@ Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& o
   const std::vector<Task> missing = missingOf(plan, progress);
   submission.done = submission.tasks - std::ssize(missing);
   for (const Task& task : missing)
-    earlier.joins || earlier.tasks.contains(task.number) ? void(++submission.queued)
-                                                         : submission.sent.push_back(task.number);
+    isQueued(plan, task, earlier) ? void(++submission.queued)
+                                  : submission.sent.push_back(task.number);
   submission.isWhole = std::ranges::all_of(progress, &SceneProgress::isWhole);
-  const bool isSent = submission.isWhole ||
-                      (submission.sent.empty() && (earlier.hasJoin || joinCommandOf(plan).empty()));
+  const bool wantsJoin = !areJoined(plan, progress);
+  const bool isSent =
+      submission.isWhole || (submission.sent.empty() && (earlier.hasJoin || !wantsJoin));
 
   // Send the rest
   if (isSent) {
@@ -185,7 +192,7 @@ Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& o
   }
   system::writeFileAtomically(files.joinScript,
                               jobScript(plan, files, {}, options, limits.requeues75));
-  sendAll(stored, files, earlier, submission);
+  sendAll(stored, files, earlier, wantsJoin && !earlier.joins, submission);
   return submission;
 }
 

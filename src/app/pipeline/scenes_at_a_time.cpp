@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
+#include "system/machine.h"
+
 namespace rotatebook::pipeline {
 namespace {
-
-// Eight clips on two cores take 46 s two at a time, 52 s one after the other.
-constexpr int kCoresAScene = 3;
 
 /// Estimates the memory that one more render takes. [bytes] Measured at 1280x720, 1920x1080 and
 /// 3840x2160: 155, 326 and 878 MB.
@@ -22,8 +21,7 @@ int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double mem
   double largest = 0;
   for (const scene::Scene& scene : scenes) largest = std::max(largest, memoryOf(scene));
   const double held = memory / 4 / largest;
-  const double wanted = std::max(1.0 * cores / kCoresAScene, std::min(1.0 * cores, 2.0));
-  return std::max(1, static_cast<int>(std::min(wanted, held)));
+  return std::max(1, static_cast<int>(std::min(1.0 * system::rendersFor(cores), held)));
 }
 
 }  // namespace rotatebook::pipeline

@@ -8,6 +8,10 @@ namespace rotatebook::system {
 /// up.
 int coreCount();
 
+/// Returns how many renders share so many cores best: one for every three, but two of as few as
+/// two.
+int rendersFor(int cores);
+
 /// Returns the memory that this process may use: the machine's, or the limit of its control groups
 /// if that is lower. [bytes]
 double memorySize();

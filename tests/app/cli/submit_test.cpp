@@ -76,6 +76,20 @@ TEST_F(Submit, GivesATaskSeveralShortClipsAndJoinsNothing) {
   EXPECT_GT(expectSameFiles("many", "one"), 14);
 }
 
+TEST_F(Submit, CutsLongClipsAndKeepsShortOnesWholeInOnePlan) {
+  for (const char* name : {"b.toml", "long.toml"}) write(name, kTiny);
+  write("long.toml", std::string(kTiny) + "fps = 200\n");
+  const std::string plan = run({"submit", "render", "tiny.toml", "long.toml", "b.toml", "-o",
+                                "many", "--chunk", "24", "--plan", "list"})
+                               .output;
+  EXPECT_THAT(plan, AllOf(HasSubstr("long.toml --part 2/2"), HasSubstr("b.toml --resume")));
+  EXPECT_THAT(runLines(plan), ElementsAre(0, 0, 0, 0)) << "short ones, two parts, the join";
+  EXPECT_THAT(run({"status", "many"}).output, HasSubstr("done: 3 of 3 tasks"));
+  EXPECT_EQ(run({"render", "tiny.toml", "long.toml", "b.toml", "-o", "one"}).status, 0);
+  std::filesystem::remove_all(folder() / "many/farm");
+  EXPECT_GT(expectSameFiles("many", "one"), 70);
+}
+
 TEST_F(Submit, PrintsOnlyWhatIsMissing) {
   const std::vector<std::string> submit{"submit", "render", "tiny.toml", "-o", "many",
                                         "--plan", "list",   "--chunk",   "5"};

@@ -56,19 +56,36 @@ TEST(Chunks, AreSharedBetweenScenes) {
   EXPECT_THROW(partsOf({kClip, kClip, kClip}, {4, 2}), InputError);
 }
 
+// 3.6 s; a task takes at least 24 s of whole ones, forty times its start.
+const Effort kShort{"short", 240, 0.015, 0.6};
+
 TEST(Chunks, TakeSeveralShortClips) {
-  // 3.6 s each; a task takes at least 24 s, forty times its start.
-  const Effort shortClip{"short", 240, 0.015, 0.6};
-  const std::vector<Effort> seven(7, shortClip);
-  EXPECT_THAT(tasksOfWholes(seven, 0, {}),
-              ElementsAre(true, false, false, false, false, false, true));
-  EXPECT_THAT(tasksOfWholes({shortClip, kClip, shortClip}, 0, {}), ElementsAre(true, true, true));
-  EXPECT_THAT(tasksOfWholes(seven, 500, {}),
-              ElementsAre(true, false, true, false, true, false, true));
-  EXPECT_THAT(tasksOfWholes(seven, 1, {}), ::testing::Each(true));
-  const auto fewer = tasksOfWholes(seven, 0, {.atATime = 0, .maxTasks = 1});
+  constexpr bool kWhole = false;
+  const std::vector<Effort> seven(7, kShort);
+  const auto starts = [&](std::int64_t chunk, const Slots& slots) {
+    return divideClips(seven, chunk, slots, kWhole).startsTask;
+  };
+  EXPECT_THAT(starts(0, {}), ElementsAre(true, false, false, false, false, false, true));
+  EXPECT_THAT(starts(500, {}), ElementsAre(true, false, true, false, true, false, true));
+  EXPECT_THAT(starts(1, {}), ::testing::Each(true));
+  const auto fewer = starts(0, {.atATime = 0, .maxTasks = 1});
   EXPECT_EQ(std::ranges::count(fewer, true), 1);
-  EXPECT_THROW(tasksOfWholes(seven, 500, {.atATime = 0, .maxTasks = 2}), InputError);
+  EXPECT_THROW(starts(500, {.atATime = 0, .maxTasks = 2}), InputError);
+  EXPECT_NO_THROW(starts(960, {.atATime = 0, .maxTasks = 2}));
+  EXPECT_THAT(divideClips({kShort, kClip}, 0, {}, kWhole).parts, ElementsAre(1, 1));
+}
+
+TEST(Chunks, CutLongClipsAmongShortOnes) {
+  const std::vector<Effort> mixed{kShort, kClip, kShort};
+  const DividedClips clips = divideClips(mixed, 0, {}, true);
+  EXPECT_THAT(clips.parts, ElementsAre(1, 25, 1));
+  EXPECT_THAT(clips.startsTask, ElementsAre(true, true, false)) << "both short ones in one task";
+  const DividedClips given = divideClips(mixed, 400, {}, true);
+  EXPECT_THAT(given.parts, ElementsAre(1, 50, 1));
+  EXPECT_THAT(given.startsTask, ElementsAre(true, true, true)) << "480 frames";
+  EXPECT_EQ(divideClips(mixed, 0, {.atATime = 0, .maxTasks = 10}, true).parts[1], 9);
+  // More scenes than tasks, as they are short
+  EXPECT_NO_THROW(divideClips({kShort, kShort, kShort}, 0, {.atATime = 0, .maxTasks = 2}, true));
 }
 
 TEST(Chunks, HaveAtLeastOneUnit) {

@@ -142,6 +142,28 @@ TEST_F(Submissions, LeaveTheRestToAJoinThatRuns) {
   EXPECT_EQ(again.join, "");
 }
 
+TEST_F(Submissions, LeaveNoWholeClipToAJoinThatRuns) {
+  plan = planOfClips(folder / "out", {"a", "b"});
+  plan.scenes[1].parts = 1;
+  EXPECT_THAT(send().sent, ElementsAre(1, 2, 3, 4, 5, 6));
+  slurm.setQueue("101|6|FAILED|0:01|n2|NonZeroExitCode\n102|N/A|RUNNING|0:04|n1|None\n");
+  const Submission again = send();
+  EXPECT_THAT(again.sent, ElementsAre(6));
+  EXPECT_EQ(again.queued, 5);
+  EXPECT_EQ(again.join, "") << "the one that runs goes on";
+  EXPECT_EQ(slurm.calls().back(), "sbatch --parsable part.sh");
+  EXPECT_EQ(readPlan(files)->jobs.join, "102");
+}
+
+TEST_F(Submissions, JoinNothingOnceItIsJoined) {
+  plan = planOfClips(folder / "out", {"a", "b"});
+  plan.scenes[1].parts = 1;
+  leaveClip(plan);
+  const Submission sent = send();
+  EXPECT_THAT(sent.sent, ElementsAre(6));
+  EXPECT_EQ(sent.join, "");
+}
+
 TEST_F(Submissions, OnlyJoinWhatIsThere) {
   leaveFrames(plan, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
   const Submission sent = send();

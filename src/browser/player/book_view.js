@@ -213,7 +213,7 @@ class BookView {
 
   /**
    * Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, ground: of its
-   * backdrop, if that is another, cage, matrix, eye, sky, backdrop}, in the order of setBodies().
+   * backdrop, if that is another, cage, matrix, eye, sky, backdrop, isUnseen}, in the order of setBodies().
    * What is behind them stays on the canvas, but where they were in the last picture.
    */
   draw(books) {
@@ -224,6 +224,7 @@ class BookView {
     books.forEach((book, i) => {
       this.#clear(book, boxes[i]);
       this.#prepare(book);
+      if (book.isUnseen) return;
       if (this.bodies[i]) this.#drawBody(book, this.bodies[i]);
       else this.#drawBook(book);
     });

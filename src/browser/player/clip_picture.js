@@ -83,7 +83,7 @@ class ClipPicture {
     context.fillText(text, x, y);
   }
 
-  /** Draws title and caption at the bottom, over a shade; returns the first row that they take. */
+  /** Draws title and caption at the bottom, over a shade unless the scene has none; returns the first row that they take. */
   #drawCaption(title, caption) {
     const {context, canvas, margin, side} = this, lines = [];
     const add = (text, size, weight) => {
@@ -100,7 +100,7 @@ class ClipPicture {
     shade.addColorStop(0, "rgba(0, 0, 0, 0)");
     shade.addColorStop(1, `rgba(0, 0, 0, ${kClipShade})`);
     context.fillStyle = shade;
-    context.fillRect(0, top - 1.5 * margin, canvas.width, canvas.height);
+    if (this.state.scene.hasBand) context.fillRect(0, top - 1.5 * margin, canvas.width, canvas.height);
     let y = top;
     for (const {line, size, weight} of lines) {
       this.#write(line, margin, y, size, {weight});

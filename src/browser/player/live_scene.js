@@ -37,6 +37,9 @@ class LiveScene {
   }
 
   shows(overlay) { return this.explicit.overlay?.show?.includes(overlay) ?? false; }
+  get hasBody() { return this.explicit.look?.body ?? true; }
+  /** Whether a clip's text is on a dark ground. */
+  get hasBand() { return this.explicit.overlay?.band ?? true; }
 
   /** Returns a changed copy of the tree: the scene itself changes only once the core has read the copy. */
   changed(action) {

@@ -153,7 +153,7 @@ class Stage {
     const sample = state.hand.seen(i, this.core.sample(kPlayed, i, frame));
     return {area, ground, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
       ...this.#settled(i, frame / state.clock.rate, sample, this.core.camera(kPlayed, i, frame, area.width, area.height, orbit)),
-      ...this.#background(state.scene.explicit.look?.background ?? "studio")};
+      isUnseen: !state.scene.hasBody, ...this.#background(state.scene.explicit.look?.background ?? "studio")};
   }
 
   /** Returns the camera, turned about the book's middle so that a throw doesn't move the picture at once, but over a while. */
@@ -186,7 +186,7 @@ class Stage {
       context.rect(area.x, area.y - this.above * ratio, area.width, area.height + this.above * ratio);
       context.clip();
       const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, this.unit, this.view.isLight);
-      if (isPlain) drawPlainBook(overlay, book.sample, {pictures: this.pictures, cloth: clothOf(state.scene), isBook: !this.bodies[i]});
+      if (isPlain && !book.isUnseen) drawPlainBook(overlay, book.sample, {pictures: this.pictures, cloth: clothOf(state.scene), isBook: !this.bodies[i]});
       if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
       const isHeld = state.hand.held?.book === i;

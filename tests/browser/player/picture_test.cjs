@@ -41,10 +41,10 @@ function givePixels(size) {
   };
 }
 
-/** Opens the page with a scene, to be measured; the address of the program's still of a moment. */
-async function openScene(name) {
+/** Opens the page with a scene, or as it is `changed`, to be measured; the address of the program's still of a moment. */
+async function openScene(name, changed = (text) => text) {
   const scene = kScenes.get(name), opened = await open();
-  assert.ok(await load(opened.page, fs.readFileSync(scene, "utf8")));
+  assert.ok(await load(opened.page, changed(fs.readFileSync(scene, "utf8"))));
   await opened.page.evaluate(givePixels, kSize);
   return {...opened, still: (time, ...more) => {
     const png = path.join(kOutput, name + ".png");
@@ -84,6 +84,18 @@ for (const {name, time} of kMoments) {
     await close();
   });
 }
+
+const withoutBody = (scene) => (scene.includes("[look]") ? scene.replace("[look]", "[look]\nbody = false") : "look.body = false\n" + scene);
+
+test("a scene without its body shows what is behind it alone", async () => {
+  for (const name of ["fig05-unstable-x", "disc-tips"]) {
+    const {page, still, close} = await openScene(name, withoutBody);
+    const {mean} = await difference(page, still(2, "--set", "look.body=false"), 2), seen = await difference(page, still(2), 2);
+    console.log(`${name} without its body: mean difference ${mean.toFixed(3)}, ${seen.mean.toFixed(3)} from the picture with it`);
+    assert.ok(mean < 0.1 && seen.mean > kLargestMean, `${mean} and ${seen.mean}`);  // Measured 0.000 and 14.3 at least.
+    await close();
+  }
+});
 
 /** Returns how much brighter than all around them in the program's picture pixels at the silhouette or beside it are, if by more than kSpeck. */
 function specks(page, picture, silhouette, time) {

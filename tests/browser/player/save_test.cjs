@@ -111,6 +111,18 @@ testOnce("its pictures are those of the page, with the words", async () => {
   await close();
 });
 
+testOnce("the words have no dark ground where the scene says so", async () => {
+  const below = [], kBelowWords = [174, 180];
+  for (const band of [true, false]) {
+    const scene = kShort.replace("[overlay]", `[overlay]\nband = ${band}`), {page, close} = await opened(scene, {}, {width: 800, height: 900});
+    const {file} = await saved(page, "band"), [picture] = await picturesOf(page, file, [30], 60);
+    below.push(offIn(kBelowWords, picture, await shownAt(page, 30)));
+    await close();
+  }
+  console.log(`below the words: off by ${below.map((off) => off.toFixed(1)).join(" with the ground, ")} without`);
+  assert.ok(below[1] < below[0] / 4, `${below}`);  // Measured 1.2 and 15.3.
+});
+
 // Five pictures a second, so 60 in 12 s.
 const kLong = kTurns.replace("[64, 36]\nduration = 1.5", "[320, 180]\nfps = 5\nduration = 20");
 

@@ -223,19 +223,12 @@ void requireOpaque(const fs::path& path, const image::Image& picture, video::Vid
       listFormats(&video::FormatRow::ending, "or", &video::FormatRow::keepsTransparency)));
 }
 
-/// Returns the format that the ending of `path` names.
-video::VideoFormat formatOf(const fs::path& path) {
-  if (const auto format = video::formatOfName(path.filename().string())) return *format;
-  throw InputError(path.string() + " names no video format; use the ending " +
-                   listFormats(&video::FormatRow::ending, "or"));
-}
-
 }  // namespace
 
 Assembled assemble(const fs::path& folder, const fs::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress, bool whole) {
-  const video::VideoFormat format = formatOf(video);
+  const video::VideoFormat format = video::formatOfFile(video);
   const auto lock = lockForReading(folder);
   // Read the checksums before the frames: a part that is being rendered adds each frame before its
   // checksum.

@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+#include <fmt/core.h>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 
 namespace rotatebook::video {
@@ -27,6 +31,24 @@ std::optional<VideoFormat> formatOfName(std::string_view fileName) {
     if (fileName.ends_with(row.ending) && isLonger) found = &row;
   }
   return found == nullptr ? std::nullopt : std::optional(found->format);
+}
+
+VideoFormat formatOfFile(const std::filesystem::path& file, std::string_view otherwise) {
+  if (const auto format = formatOfName(file.filename().string())) return *format;
+  const std::string ending = file.extension().string();
+  std::vector<std::string_view> endings;
+  for (const FormatRow& row : kFormatRows) {
+    if (lowerCase(ending) == row.ending) {
+      throw InputError(
+          fmt::format("{}: videos end in small letters; write {}", file.string(),
+                      std::filesystem::path(file).replace_extension(row.ending).string()));
+    }
+    endings.push_back(row.ending);
+  }
+  const std::string problem =
+      ending.empty() ? "a video's name needs an ending" : "no video ends in " + quotedText(ending);
+  throw InputError(fmt::format("{}: {}; there are {}{}{}", file.string(), problem,
+                               quotedList(endings, "and"), otherwise, didYouMean(ending, endings)));
 }
 
 std::string demuxers() {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -217,6 +218,9 @@ constexpr bool keepsTransparency(VideoFormat format) {
 
 /// Returns the format whose ending is the longest that `fileName` ends in; nothing if none is.
 std::optional<VideoFormat> formatOfName(std::string_view fileName);
+/// Returns the format of that file, by its name. Throws InputError, which says what names can end
+/// in, and what may be meant; `otherwise` is further advice, for example "; or name a folder".
+VideoFormat formatOfFile(const std::filesystem::path& file, std::string_view otherwise = "");
 
 /// Returns FFmpeg's names of the demuxers of all formats, each once, separated by commas.
 std::string demuxers();

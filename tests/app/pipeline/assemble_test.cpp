@@ -27,6 +27,7 @@ using ::testing::HasSubstr;
 using testing::kFrames;
 using ::testing::Not;
 using testing::pngAndMp4;
+using ::testing::StartsWith;
 
 // Frames of one colour, from elsewhere.
 void writeFrames(const fs::path& folder, const std::vector<std::int64_t>& indices, int width = 32,
@@ -190,10 +191,8 @@ TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
   writeFrames(frames_, {0, 1});
   for (const char* name : {"clip.mkv", "clip", "clip.MP4"}) {
     const fs::path video = folder_ / name;
-    EXPECT_EQ(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
-              video.string() +
-                  " names no video format; use the ending .mp4, .webm, .gif, "
-                  ".apng, .mov, .hevc.mp4 or .av1.mp4");
+    EXPECT_THAT(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
+                StartsWith(video.string() + ": "));
     EXPECT_FALSE(fs::exists(video));
   }
 }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -23,6 +25,25 @@ TEST(VideoFormat, HasAnEndingByWhichItIsFound) {
   }
   EXPECT_EQ(formatOfName("a.mp4.avi"), std::nullopt);
   EXPECT_EQ(formatOfName("hevc.mp4"), VideoFormat::Mp4);
+}
+
+TEST(VideoFormat, SaysWhatNamesCanEndIn) {
+  EXPECT_EQ(formatOfFile("out/a.hevc.mp4"), VideoFormat::Hevc);
+  const auto problem = [](const char* file) -> std::string {
+    try {
+      formatOfFile(file, "; or a folder");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const std::string all =
+      "; there are \".mp4\", \".webm\", \".gif\", \".apng\", \".mov\", \".hevc.mp4\" and "
+      "\".av1.mp4\"; or a folder";
+  EXPECT_EQ(problem("a.mp5"),
+            "a.mp5: no video ends in \".mp5\"" + all + "; did you mean \".mp4\"?");
+  EXPECT_EQ(problem("a"), "a: a video's name needs an ending" + all);
+  EXPECT_EQ(problem("b/A.B.MP4"), "b/A.B.MP4: videos end in small letters; write b/A.B.mp4");
 }
 
 TEST(VideoFormat, NamesWhatReadsIt) {

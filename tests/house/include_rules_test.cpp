@@ -109,7 +109,7 @@ const std::map<std::string, Room> kRooms{
       {"base",        "rigid",  "body",  "recording", "physics",  "scene", "timeline",
        "study",       "system", "image", "render",    "video",    "plot",  "picture",
        "interchange", "store",  "farm",  "pipeline",  "diagnose", "page"},
-      {"CLI/", "Eigen/", "zip.h"},
+      {"CLI/", "Eigen/", "glib.h", "zip.h"},
       {"geometry"}}}};
 
 // Headers of the standard that the core may include, so that it runs in a browser and gives the

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "pipeline/stream_clip.h"
 
 namespace rotatebook::cli {
 
@@ -55,6 +56,10 @@ video::VideoFormat parseFormat(const std::string& name) {
     if (name == nameOf(format)) return format;
     names.push_back(nameOf(format));
   }
+  if (std::ranges::count(pipeline::kStreamNames, name) > 0) {
+    throw InputError(
+        fmt::format("--format {}: for the standard output alone; add --output - to render", name));
+  }
   throw InputError(fmt::format("--format {}: unknown; there are {}{}", name,
                                quotedList(names, "and"), didYouMean(name, names)));
 }
@@ -68,11 +73,12 @@ CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names) {
              "Clip")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->capture_default_str();
+      ->default_str(std::string(nameOf(video::VideoFormat::Mp4)));
 }
 
 std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& names, bool noMp4) {
   std::vector<video::VideoFormat> formats;
+  if (names.empty() && !noMp4) formats.push_back(video::VideoFormat::Mp4);
   for (const std::string& name : names) {
     const video::VideoFormat format = parseFormat(name);
     const bool left = format == video::VideoFormat::Mp4 && noMp4;
@@ -92,21 +98,7 @@ bool isFolder(const std::string& output) {
 }
 
 video::VideoFormat formatOf(const std::string& output) {
-  const fs::path path(output);
-  if (const auto format = video::formatOfName(path.filename().string())) return *format;
-  const std::string ending = path.extension().string();
-  std::vector<std::string_view> endings;
-  for (const video::VideoFormat format : video::kVideoFormats) {
-    const std::string_view own = rowOf(format).ending;
-    if (lowerCase(ending) == own) {
-      throw InputError(fmt::format("--output {}: videos end in small letters; write {}", output,
-                                   fs::path(path).replace_extension(own).string()));
-    }
-    endings.push_back(own);
-  }
-  throw InputError(fmt::format(
-      "--output {0}: no video ends in {1}; there are {2}; for a folder of this name, write {0}/{3}",
-      output, quotedText(ending), quotedList(endings, "and"), didYouMean(ending, endings)));
+  return video::formatOfFile(output, fmt::format("; for a folder of this name, write {}/", output));
 }
 
 /// Returns the name of a video's file without the ending of its format.

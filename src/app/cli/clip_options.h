@@ -33,7 +33,8 @@ void addRetryStatus(CLI::App& command);
 /// Adds --format, with the formats' names.
 CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names);
 
-/// Returns the formats that --format names, each once, without MP4 if `noMp4`. Throws InputError.
+/// Returns the formats that --format names, each once, without MP4 if `noMp4`; MP4 if it names
+/// none. Throws InputError.
 std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& names, bool noMp4);
 
 /// The place of a clip's files, and the videos among them.

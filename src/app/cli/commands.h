@@ -20,7 +20,7 @@ using AddCommand = void(CLI::App& program, Action& action);
 #include "cli/command_list.inc"
 #undef ROTATEBOOK_COMMAND
 
-/// The value of --output that is the standard output, of `still` alone.
+/// The value of --output that is the standard output, of `still` and `render`.
 inline constexpr const char* kStandardOutput = "-";
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.

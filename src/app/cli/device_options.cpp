@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/crash_handler.h"
+#include "cli/terminal.h"
 #include "system/crash_successor.h"
 
 namespace rotatebook::cli {
@@ -36,7 +37,7 @@ render::DeviceChoice parseDevice(const std::string& text) {
 
 /// Prints `line` to the standard error, in one piece, over a progress bar that may be there.
 void printAside(const std::string& line) {
-  const std::string erase = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+  const std::string erase = terminalColumns(STDERR_FILENO) > 0 ? "\r\x1b[K" : "";
   std::cerr << erase + "rotatebook: " + line + "\n" << std::flush;
 }
 

@@ -38,7 +38,7 @@ struct SubmitArguments {
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
   std::string folder = "out";
-  std::vector<std::string> formats{"mp4"};
+  std::vector<std::string> formats;
   bool noMp4 = false;
   bool noPng = false;
   bool slurm = false;

@@ -15,6 +15,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/scene_options.h"
+#include "cli/terminal.h"
 #include "image/comparison.h"
 #include "image/png_file.h"
 #include "picture/sheet.h"
@@ -63,7 +64,7 @@ void writePicture(const std::string& output, image::ImageView picture, bool tran
 
 /// Returns the stream for the report, which isn't the picture's.
 std::ostream& reportStream(const std::string& output) {
-  return output == kStandardOutput ? std::cerr : std::cout;
+  return output == kStandardOutput ? std::clog : std::cout;
 }
 
 void writeOne(const scene::Scene& scene, const StillArguments& arguments,
@@ -97,7 +98,7 @@ int writeStill(const StillArguments& arguments) {
       arguments.scenes, [&](const std::string& path) { return arguments.sceneOptions.read(path); });
   if (arguments.noCaption) std::ranges::for_each(scenes, leaveOutCaption);
   const std::string output = outputOf(arguments, scenes);
-  if (output != kStandardOutput) requirePictureOutput(output, inputs);
+  output == kStandardOutput ? refuseTerminal("--output -") : requirePictureOutput(output, inputs);
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   isSheet ? writeSheet(scenes, arguments, output) : writeOne(scenes.front(), arguments, output);

@@ -122,7 +122,8 @@ void addCommonOptions(CLI::App& program, CommonArguments& arguments) {
               kGroup)
         ->check(progressProblem);
     CLI::Option* output = command->get_option_no_throw("--output");
-    if (output != nullptr && command->get_name() != "still") output->check(outputProblem);
+    const bool takesPictures = command->get_name() == "still" || command->get_name() == "render";
+    if (output != nullptr && !takesPictures) output->check(outputProblem);
     for (CLI::Option* option : command->get_options()) {
       if (option->get_expected_max() == 1) checkLastAlone(*option);
     }

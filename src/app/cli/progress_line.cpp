@@ -11,6 +11,7 @@
 #include "base/json.h"
 #include "base/text.h"
 #include "cli/terminal.h"
+#include "cli/text_width.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -19,7 +20,8 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr std::size_t kBarWidth = 16, kMinBarWidth = 4, kBarEnds = 3;
+constexpr std::size_t kBarWidth = 16, kBarEnds = 3;
+constexpr std::size_t kColumnsOfCell = 4;  // The bar has a quarter of a narrow line.
 constexpr auto kRateWindow = seconds(4);
 constexpr auto kTerminalInterval = milliseconds(100);
 constexpr auto kPlainInterval = seconds(5);
@@ -50,13 +52,15 @@ std::string progressText(std::int64_t done, std::int64_t total, double rate, std
     pace = fmt::format(", {:.1f} {}/s", rate, unit);
     left = fmt::format(", {:.0f} s left", secondsLeft(done, total, rate));
   }
-  // The time left goes last
+  // The bar's length is that of the line, not of the words, which change
+  const std::size_t cells = std::min(kBarWidth, columns / kColumnsOfCell);
   std::string text = share + count + pace + left;
   for (const std::string& shorter : {share + count + left, share + left}) {
-    if (text.size() + kMinBarWidth + kBarEnds > columns) text = shorter;
+    if (text.size() + cells + kBarEnds > columns) text = shorter;
   }
-  if (text.size() + kMinBarWidth + kBarEnds > columns) return text.substr(0, columns);
-  return bar(done, total, std::min(kBarWidth, columns - kBarEnds - text.size())) + text;
+  if (text.size() > columns) return share.substr(0, columns);
+  if (text.size() + kBarEnds >= columns) return text;
+  return bar(done, total, std::min(cells, columns - kBarEnds - text.size())) + text;
 }
 
 std::string progressJson(std::string_view label, std::int64_t done, std::int64_t total, double rate,
@@ -78,7 +82,7 @@ void setProgressStyle(ProgressStyle wanted) {
 ProgressLine::ProgressLine(std::string_view label, std::string unit)
     : label_(oneLine(label)),
       unit_(std::move(unit)),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      terminal_(terminalColumns(STDERR_FILENO) > 0),
       lastPrint_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
@@ -121,9 +125,9 @@ void ProgressLine::update(std::int64_t done, std::int64_t total) {
   } else if (terminal_) {
     // A line that wraps couldn't be overwritten
     const std::size_t columns = std::max<std::size_t>(terminalColumns(STDERR_FILENO), 2) - 1;
-    const std::string label = std::string(firstCharacters(label_, columns / 3)) + "  ";
+    const std::string label = cutTo(label_, columns / 3) + "  ";
     const std::string text =
-        progressText(done, total, rate, unit_, columns - std::min(columns, characterCount(label)));
+        progressText(done, total, rate, unit_, columns - std::min(columns, columnsOf(label)));
     std::cerr << '\r' + label + text + "\x1b[K" << std::flush;
     lineOpen_ = true;
   } else {

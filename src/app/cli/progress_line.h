@@ -12,8 +12,8 @@
 namespace rotatebook::cli {
 
 /// Returns "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left". `rate` is in units a
-/// second, 0 while it isn't known; `unit` is their plural. In fewer `columns` the bar is shorter,
-/// then the rate goes, the count, the bar, and the time left at last.
+/// second, 0 while it isn't known; `unit` is their plural. In fewer `columns` the rate goes,
+/// then the count; the bar is shorter, cell by cell, to none before the time left goes.
 std::string progressText(std::int64_t done, std::int64_t total, double rate,
                          std::string_view unit = "frames", std::size_t columns = 1000);
 

@@ -14,6 +14,8 @@
 #include "cli/interrupt.h"
 #include "cli/render_scenes.h"
 #include "cli/scene_options.h"
+#include "cli/stream_scene.h"
+#include "cli/terminal.h"
 #include "picture/preflight.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/scenes_at_a_time.h"
@@ -29,13 +31,15 @@ struct RenderArguments {
   DeviceOptions deviceOptions;
   std::string frames, part;
   bool noPng = false;
-  std::vector<std::string> formats{"mp4"};
+  std::vector<std::string> formats;
   bool noMp4 = false;
   bool noExpect = false;
   int atATime = 0;
   ReportStyle style;
   pipeline::RenderOptions options;
+  std::vector<const CLI::Option*> ofFiles;  ///< Options without a meaning for a stream.
 
+  bool isStream() const { return std::ranges::count(outputs, kStandardOutput) > 0; }
   Destination destination() const { return destinationOf(outputs, scenes.size()); }
 };
 
@@ -54,8 +58,8 @@ std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
 
 /// Throws InputError if videos are named, and other options ask for something else.
 void refuseOtherOutputs(const RenderArguments& arguments) {
-  const bool isOther = arguments.noMp4 || arguments.formats != RenderArguments().formats ||
-                       !arguments.frames.empty() || !arguments.part.empty();
+  const bool isOther = arguments.noMp4 || !arguments.formats.empty() || !arguments.frames.empty() ||
+                       !arguments.part.empty();
   if (arguments.destination().name.empty() || !isOther) return;
   throw InputError(fmt::format(
       "--output {} is the whole clip as a video; name a folder with --format, --no-mp4, --frames "
@@ -97,7 +101,33 @@ void shareRasteriser(int scenes) {
          kKeep);
 }
 
+/// Throws InputError for what a stream of pictures can't be, or be asked for.
+void refuseOtherThanStream(const RenderArguments& arguments) {
+  if (arguments.scenes.size() > 1 || arguments.outputs.size() > 1) {
+    throw InputError(
+        "--output -: the standard output takes the pictures of one scene, and no other output may "
+        "be "
+        "named beside it");
+  }
+  for (const CLI::Option* option : arguments.ofFiles) {
+    if (option->count() == 0) continue;
+    throw InputError(fmt::format(
+        "{} is about files: leave it out with --output -, which writes none", option->get_name()));
+  }
+  refuseTerminal("--output -");
+}
+
+int renderToStream(const RenderArguments& arguments) {
+  refuseOtherThanStream(arguments);
+  pipeline::StreamOptions options{.format = streamFormatOf(arguments.formats)};
+  if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
+  const scene::Scene scene = arguments.sceneOptions.read(arguments.scenes.front());
+  options.device = arguments.deviceOptions.choice();
+  return streamScene({scene, picture::preflight(scene), !arguments.noExpect}, options);
+}
+
 int render(const RenderArguments& arguments) {
+  if (arguments.isStream()) return renderToStream(arguments);
   refuseOtherOutputs(arguments);
   pipeline::RenderOptions options = arguments.options;
   const Destination destination = arguments.destination();
@@ -120,6 +150,8 @@ DIR/NAME/frame_00000.png ..., where NAME is the scene file's; of a scene with cu
 A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single one, a row for each book.
 -o FILE, such as -o clip.mp4, makes that video alone of the frames; its table and poster are beside it,
 named after it. -o clip.mp4 -o clip.gif makes both. -o DIR/ is a folder, also if its name has a dot.
+-o - writes the pictures alone, of one scene, to the standard output, and nothing to the disk: as Y4M, with
+--format png as one PNG after the other, with --format raw as rows of RGB, RGBA if they are transparent.
 --grid shows up to 96 books, 12 a side, with other values of one key or two: the values of the first from
 the left to the right, those of the second from the top to the bottom. 1..8 are whole numbers; a range of
 others is as in scenes, { from = 0.001, to = 1.0, count = 8, scale = "log" }.
@@ -136,6 +168,7 @@ Examples:
   rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
   rotatebook render my.toml --grid "initial.tilt=1e-2,1e-4,1e-6 x simulation.substeps=1..8"
   rotatebook render my.toml -o clip.mp4 -o clip.gif
+  rotatebook render my.toml -o - | ffmpeg -colorspace bt709 -i - my.mkv
   rotatebook render my.toml --frames 0:60
   rotatebook render my.toml --part 3/16 --retry-status
   rotatebook render scenes/figures/*.toml --resume
@@ -150,7 +183,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command.add_option("SCENE", arguments.scenes, "Scene files")->required();
   repeated(addOption(command, "-o,--output", "DIR|FILE", arguments.outputs,
                      "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
-                     "of one name may be named"))
+                     "of one name may be named; - is the standard output"))
       ->default_str("out");
   CLI::Option* frames = addOption(command, "--frames", "A:B", arguments.frames,
                                   "Only the frames from A up to, but not including, B", kClip);
@@ -176,6 +209,10 @@ void addRenderCommand(CLI::App& program, Action& action) {
                    "Print one JSON object: what was made and measured");
   command.add_flag("-v,--verbose", arguments.style.isDetailed,
                    "Say what draws and encodes, with how many threads");
+  for (const char* name : {"--no-png", "--part", "--no-mp4", "--resume", "--overwrite", "--jobs",
+                           "--json", "--verbose"}) {
+    arguments.ofFiles.push_back(command.get_option(name));
+  }
   arguments.sceneOptions.addTo(command);
   arguments.sceneOptions.addChecksum(command);
   addNoExpect(command, arguments.noExpect);

@@ -7,7 +7,9 @@
 #include <unistd.h>
 #include <utility>
 
+#include "base/error.h"
 #include "base/text.h"
+#include "cli/text_width.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -41,7 +43,7 @@ std::size_t hangOf(std::string_view line, std::size_t columns) {
   const std::size_t second = gap == line.npos ? gap : line.find_first_not_of(' ', gap);
   const bool isRow = second != line.npos;
   for (const std::size_t column :
-       {isRow ? characterCount(line.substr(0, second)) : columns,
+       {isRow ? columnsOf(line.substr(0, second)) : columns,
         isRow || (indent > 0 && indent < kFewestColumns) ? indent + 2 : indent})
     if (column + kLeastRoom <= columns) return column;
   return 0;
@@ -50,8 +52,8 @@ std::size_t hangOf(std::string_view line, std::size_t columns) {
 /// Returns the bytes of `text` that fit in `columns`, up to the end of a word, which is the first
 /// if that doesn't fit.
 std::size_t fittingBytes(std::string_view text, std::size_t columns) {
-  if (characterCount(text) <= columns) return text.size();
-  const std::size_t limit = firstCharacters(text, columns + 1).size();
+  if (columnsOf(text) <= columns) return text.size();
+  const std::size_t limit = firstColumns(text, columns + 1).size();
   const std::size_t words = std::min(text.find_first_not_of(' '), text.size());
   const std::size_t space = text.rfind(' ', limit - 1);
   if (space != text.npos && space > words) return space;
@@ -74,8 +76,15 @@ std::size_t terminalColumns(int descriptor) {
   return known ? size.ws_col : kUsualColumns;
 }
 
+void refuseTerminal(std::string_view option) {
+  if (terminalColumns(STDOUT_FILENO) == 0) return;
+  throw InputError(std::string(option) +
+                   ": the standard output is a terminal, which shows no pictures; add | and the "
+                   "program that takes them, or > and a file");
+}
+
 std::string wrapped(std::string_view line, std::size_t columns) {
-  if (columns < kFewestColumns || characterCount(line) <= columns) return std::string(line);
+  if (columns < kFewestColumns || columnsOf(line) <= columns) return std::string(line);
   const std::string hang(hangOf(line, columns), ' ');
   std::string lines;
   for (std::string_view rest = line; !rest.empty();) {

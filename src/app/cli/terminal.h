@@ -14,7 +14,10 @@ namespace rotatebook::cli {
 /// Returns the columns of the terminal that `descriptor` is: 80 if it doesn't say; 0 if it is none.
 std::size_t terminalColumns(int descriptor);
 
-/// Returns a line of text as lines of at most `columns` letters, broken between words. Those after
+/// Throws InputError if the standard output, which `option` chose for pictures, is a terminal.
+void refuseTerminal(std::string_view option);
+
+/// Returns a line of text as lines of at most `columns`, broken between words. Those after
 /// the first are indented: below the second column of a table's row, else two letters more than the
 /// line, or not at all if it isn't indented. A longer word stays whole. Below 20 columns, the line.
 std::string wrapped(std::string_view line, std::size_t columns);

@@ -246,7 +246,7 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
 }
 
 TEST_F(CommandLine, WritesNoResultToTheStandardOutput) {
-  for (const std::string command : {"export", "render"}) {
+  for (const std::string command : {"export", "map"}) {
     expectRefused({command, "tiny.toml", "-o", "-"},
                   "rotatebook: --output: nothing is written to the standard output; a file or "
                   "folder named - is written ./-\nRun 'rotatebook " +

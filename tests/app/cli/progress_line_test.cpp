@@ -48,6 +48,19 @@ TEST_F(ProgressOfARender, KeepsTheTimeLeftOnANarrowTerminal) {
   EXPECT_THAT(result.error, Not(ContainsRegex("\r[^\r]{40,}\x1b")));
 }
 
+TEST_F(ProgressOfARender, CutsALongNameBetweenItsLetters) {
+  ROTATEBOOK_SKIP_IF_LACKING(whyNoTerminal());
+  ChildSettings settings;
+  settings.terminal = true;
+  settings.columns = 40;
+  const std::string name = "漢字漢字漢字漢字";
+  write(name + ".toml", kTiny);
+  const ChildResult result = run({"render", name + ".toml", "--no-png"}, settings);
+  EXPECT_EQ(result.status, 0);
+  // 13 columns of 39.
+  EXPECT_THAT(result.error, HasSubstr("\r漢字漢字漢字…  [####"));
+}
+
 TEST_F(ProgressOfARender, IsLinesOfJsonOnRequest) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png", "-q", "--progress", "json"});
   EXPECT_EQ(result.status, 0);

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cstddef>
+
 #include <gtest/gtest.h>
 
 #include "cli/progress_line.h"
@@ -39,12 +42,30 @@ TEST(ProgressText, ShrinksAndKeepsTheTimeLeft) {
     return progressText(126, 300, 38.12, "frames", columns);
   };
   EXPECT_EQ(in(66), "[######..........]  42 %  126/300 frames, 38.1 frames/s, 5 s left");
-  EXPECT_EQ(in(60), "[####.......]  42 %  126/300 frames, 38.1 frames/s, 5 s left");
-  EXPECT_EQ(in(49), "[######.........]  42 %  126/300 frames, 5 s left");
-  EXPECT_EQ(in(30), "[#####.......]  42 %, 5 s left");
-  EXPECT_EQ(in(20), " 42 %, 5 s left");
-  EXPECT_EQ(in(5), " 42 %");
+  EXPECT_EQ(in(60), "[######.........]  42 %  126/300 frames, 5 s left");
+  EXPECT_EQ(in(49), "[#####.......]  42 %  126/300 frames, 5 s left");
+  EXPECT_EQ(in(30), "[##.....]  42 %, 5 s left");
+  EXPECT_EQ(in(20), "[..]  42 %, 5 s left");
+  EXPECT_EQ(in(18), " 42 %, 5 s left");
+  EXPECT_EQ(in(14), " 42 %");
+  EXPECT_EQ(in(3), " 42");
   EXPECT_EQ(in(0), "");
+}
+
+TEST(ProgressText, FitsAndItsBarShrinksCellByCell) {
+  for (const double rate : {0.0, 38.12, 1e5}) {
+    std::ptrdiff_t last = 16;
+    for (std::size_t columns = 90; columns > 0; --columns) {
+      const std::string text = progressText(126, 300, rate, "frames", columns);
+      const std::ptrdiff_t cells = std::ranges::count(text, '#') + std::ranges::count(text, '.') -
+                                   (text.find("/s") == text.npos ? 0 : 1);
+      EXPECT_LE(text.size(), columns);
+      EXPECT_LE(cells, last) << text;
+      EXPECT_GE(cells, last - 1) << text;
+      last = cells;
+    }
+    EXPECT_EQ(last, 0);
+  }
 }
 
 TEST(ProgressText, IsJson) {

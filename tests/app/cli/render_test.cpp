@@ -258,12 +258,12 @@ TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
   };
   EXPECT_EQ(
       refusal({"-o", "a.mkv"}),
-      "rotatebook: --output a.mkv: no video ends in \".mkv\"; there are \".mp4\", \".webm\", "
+      "rotatebook: a.mkv: no video ends in \".mkv\"; there are \".mp4\", \".webm\", "
       "\".gif\", \".apng\", \".mov\", \".hevc.mp4\" and \".av1.mp4\"; for a folder of this name, "
       "write a.mkv/; did you mean \".mov\"?\n");
   EXPECT_THAT(refusal({"-o", "a.mp5"}), EndsWith("write a.mp5/; did you mean \".mp4\"?\n"));
   EXPECT_EQ(refusal({"-o", "A.B.MP4"}),
-            "rotatebook: --output A.B.MP4: videos end in small letters; write A.B.mp4\n");
+            "rotatebook: A.B.MP4: videos end in small letters; write A.B.mp4\n");
   EXPECT_EQ(refusal({"b.toml", "-o", "a.mp4"}),
             "rotatebook: --output a.mp4: one video for 2 scenes; name a folder\n");
   EXPECT_EQ(refusal({"-o", "a.mp4", "-o", "b.gif"}),

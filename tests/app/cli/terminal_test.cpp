@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "cli/text_width.h"
+
 namespace rotatebook::cli {
 namespace {
 
@@ -26,6 +28,30 @@ TEST(Wrapped, LeavesWhatFitsAndWordsThatDoNot) {
 
 TEST(Wrapped, CountsLettersNotBytes) {
   EXPECT_EQ(wrapped("äöü äöü äöü äöü äöü äöü", 20), "äöü äöü äöü äöü äöü\näöü");
+}
+
+TEST(Wrapped, CountsTheColumnsOfWideLettersAndMarks) {
+  EXPECT_EQ(wrapped("漢字 漢字 漢字 漢字 漢字", 20), "漢字 漢字 漢字 漢字\n漢字");
+  EXPECT_EQ(wrapped("a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b", 20),
+            "a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b a\u0308b");
+}
+
+TEST(TextWidth, IsThatOnATerminal) {
+  EXPECT_EQ(columnsOf("tumble"), 6U);
+  EXPECT_EQ(columnsOf("Öl 漢字"), 7U);
+  EXPECT_EQ(columnsOf("a\u0308\u0301 한 \u200B"), 5U);
+  EXPECT_EQ(columnsOf("\xff\xe6\xbc"), 3U);
+}
+
+TEST(TextWidth, IsKeptByACut) {
+  EXPECT_EQ(cutTo("tumble", 6), "tumble");
+  EXPECT_EQ(cutTo("tumble", 5), "tumb…");
+  EXPECT_EQ(cutTo("漢字漢字", 8), "漢字漢字");
+  EXPECT_EQ(cutTo("漢字漢字", 7), "漢字漢…");
+  EXPECT_EQ(cutTo("漢字漢字", 6), "漢字…");
+  EXPECT_EQ(cutTo("a\u0308bc", 2), "a\u0308…");
+  EXPECT_EQ(cutTo("ab", 1), "…");
+  EXPECT_EQ(cutTo("ab", 0), "");
 }
 
 TEST(Coloured, MarksWhatALineBeginsWith) {

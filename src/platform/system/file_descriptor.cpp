@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -65,11 +66,26 @@ FileDescriptor createMemoryFile(const char* purpose) {
   return file;
 }
 
+namespace {
+
+/// Returns whether what failed to be written can be tried again, for a pipe that doesn't wait once
+/// there is room in it.
+bool canTryAgain(const FileDescriptor& file) {
+  if (errno == EINTR) return true;
+  if (errno != EAGAIN) return false;
+  constexpr int kForEver = -1;
+  pollfd room{file.number(), POLLOUT, 0};
+  poll(&room, 1, kForEver);
+  return true;
+}
+
+}  // namespace
+
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path) {
   while (!content.empty()) {
     const ssize_t written = ::write(file.number(), content.data(), content.size());
-    if (written < 0 && errno == EINTR) continue;
+    if (written < 0 && canTryAgain(file)) continue;
     if (written < 0) throwLastError(path, "write");
     content.remove_prefix(static_cast<std::size_t>(written));
   }

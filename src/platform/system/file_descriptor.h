@@ -55,7 +55,8 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 /// open. `purpose` is a label for debugging. Throws MachineError.
 FileDescriptor createMemoryFile(const char* purpose);
 
-/// Writes all of `content`. Throws MachineError "can't write `path`: CAUSE".
+/// Writes all of `content`, also to a pipe that is full and doesn't wait. Throws MachineError
+/// "can't write `path`: CAUSE".
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path);
 

@@ -129,6 +129,13 @@ TEST_F(StreamOfPictures, TakesFramesAndScenesFromAPipeAndReportsAside) {
                                  HasSubstr("rotatebook: expectations are not met\n")));
 }
 
+TEST_F(StreamOfPictures, WaitsForASlowReader) {
+  const std::string render = "rotatebook render tiny.toml -q -o - --set clip.duration=2";
+  EXPECT_EQ(shell(render + " | (sleep 0.5; cat) > slow; exit ${PIPESTATUS[0]}"), 0);
+  ASSERT_EQ(shell(render + " > file"), 0);
+  EXPECT_TRUE(read("slow") == read("file"));
+}
+
 TEST_F(StreamOfPictures, EndsWithItsReader) {
   // Longer than a pipe holds.
   const std::string render = "rotatebook render tiny.toml -o - --set clip.duration=2";

@@ -139,9 +139,9 @@ bool isStandard(const std::string& header) {
 }
 
 bool isOperatingSystem(const std::string& header) {
-  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h",   "grp.h",   "pwd.h",
-                                              "dlfcn.h",  "link.h",    "sched.h", "spawn.h",
-                                              "sys/",     "execinfo.h"};
+  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h",    "grp.h",   "pwd.h",
+                                              "dlfcn.h",  "link.h",     "sched.h", "spawn.h",
+                                              "sys/",     "execinfo.h", "poll.h"};
   return startsWithOneOf(header, kHeaders);
 }
 

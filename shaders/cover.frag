@@ -1,4 +1,4 @@
-// Follows studio_lights.glsl and studio_shine.glsl.
+// Follows studio_shine.glsl.
 //
 // Cloth with gold stamping in a photographer's studio. Radiance is linear.
 in vec2 texCoord;

@@ -1,10 +1,18 @@
-// Follows studio_lights.glsl, before cover.frag and surface.frag: what the studio's lights look like
-// in a surface that mirrors them.
+#version 330 core
+// The beginning of cover.frag and surface.frag: what the studio looks like in a surface that mirrors
+// it. The light that matt surfaces scatter of it, in body.vert, follows from its constants.
 const float kDielectric = 0.04;  // Reflectance of what isn't a metal.
 const float kMaxSpread = 0.5;  // Greatest increase of the squared GGX width.
 
-// Two softboxes in front and a strip light behind: radiance, and half width and half height as
-// tangents of angles.
+const vec3 kBelow = vec3(0.34, 0.30, 0.27);
+const vec3 kAbove = vec3(0.64, 0.66, 0.70);
+const vec3 kWall = vec3(0.90, 0.86, 0.80);  // The photographer's, which is lit.
+
+// Two softboxes in front and a strip light behind: direction, radiance, and half width and half
+// height as tangents of angles.
+const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
+const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
+const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);
 const vec3 kKeyRadiance = vec3(3.3, 3.05, 2.7);
 const vec3 kFillRadiance = vec3(1.1, 1.35, 1.8);
 const vec3 kRimRadiance = vec3(1.3, 1.45, 1.65);
@@ -40,8 +48,7 @@ float filledShare(vec3 mirrored, vec3 direction, vec2 halfSize, float width) {
 vec3 studio(vec3 mirrored, float roughness) {
   float width = 2.6 * roughness * roughness + 0.02;
   float height = smoothstep(-0.5 - width, 0.7 + width, mirrored.y);
-  vec3 light = mix(vec3(0.34, 0.30, 0.27), vec3(0.64, 0.66, 0.70), height);
-  light += vec3(0.90, 0.86, 0.80) * smoothstep(0.1, 1.0, mirrored.z);  // The photographer's wall.
+  vec3 light = mix(kBelow, kAbove, height) + kWall * smoothstep(0.1, 1.0, mirrored.z);
   light += kKeyRadiance * filledShare(mirrored, kKeyDirection, kKeySize, width);
   light += kFillRadiance * filledShare(mirrored, kFillDirection, kFillSize, width);
   return light + kRimRadiance * filledShare(mirrored, kRimDirection, kRimSize, width);

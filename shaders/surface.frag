@@ -1,4 +1,4 @@
-// Follows studio_lights.glsl and studio_shine.glsl.
+// Follows studio_shine.glsl.
 //
 // Any material of the metallic-roughness model of glTF 2.0 in a photographer's studio. Radiance is
 // linear.

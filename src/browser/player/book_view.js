@@ -89,9 +89,9 @@ class BookView {
 
   #make(mesh, pictures, shaders) {
     const gl = this.gl;
-    const vertex = shaders.studio_lights + shaders.book;
-    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.studio_shine + shaders.cover + shaders.tone_curve);
-    const surface = kSharper + shaders.studio_lights + shaders.studio_shine + shaders.surface + shaders.tone_curve;
+    const vertex = shaders.book;
+    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_shine + shaders.cover + shaders.tone_curve);
+    const surface = kSharper + shaders.studio_shine + shaders.surface + shaders.tone_curve;
     this.surfaces = {get shaders() { return this.made ??= new Shaders(gl, vertex, surface); }};
     this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + shaders.tone_curve);
     const backdrop = (name) => new Shaders(gl, shaders.whole_picture, shaders[name]);

@@ -14,10 +14,9 @@ std::size_t indexOf(geometry::BookPart part) {
 
 BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail detail)
     : mesh_(geometry::makeBookMesh(detail)),
-      coverProgram_(
-          "cover", {studioLights(), bodyVertexShader()},
-          {{studioLights(), studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
-      paperProgram_("paper", {studioLights(), bodyVertexShader()},
+      coverProgram_("cover", {bodyVertexShader()},
+                    {{studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+      paperProgram_("paper", {bodyVertexShader()},
                     {paperFragmentShader(), toneCurveFragmentShader()}),
       geometry_(mesh_),
       front_(textures.front.view(), kClamped),

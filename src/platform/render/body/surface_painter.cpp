@@ -45,9 +45,8 @@ SurfacePainter::SurfacePainter(const SurfaceLook& look)
     : mesh_(geometry::makeBodyMesh(look.surface, look.size)),
       size_(look.size),
       materials_(look.surface.materials),
-      program_(
-          "surface", {studioLights(), bodyVertexShader()},
-          {{studioLights(), studioShine(), surfaceFragmentShader()}, toneCurveFragmentShader()}),
+      program_("surface", {bodyVertexShader()},
+               {{studioShine(), surfaceFragmentShader()}, toneCurveFragmentShader()}),
       geometry_(mesh_),
       testGeometry_(testMesh()),
       white_(plainCloth({255, 255, 255}).view(), kRepeated),

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""The book beside a path tracer: eight views drawn by rotatebook and by Blender's Cycles, from the same mesh, pictures,
+camera and studio, and how far they are apart.
+
+    bench/beside/beside_cycles.py PROGRAM FOLDER
+
+Writes FOLDER/beside.png, a row for each view: rotatebook's, Cycles', and their difference on grey; prints a table. Needs
+blender, python3-numpy, python3-skimage; some 10 minutes on two cores.
+"""
+import argparse
+import os
+import subprocess
+import sys
+
+import numpy as np
+from skimage import color, filters, io
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+# Rotations about x, y and z in turn. [rad] The last four show the covers from beneath and edges at grazing light.
+VIEWS = [(-0.5, 0.55, 0.12), (0.9, -0.7, 0.3), (-0.35, -1.15, 0.2), (1.25, 0.15, -0.4),
+         (-1.2, 0.3, 0.1), (0.4, 1.45, 0.0), (-1.45, 2.6, 0.2), (0.2, 3.4, 1.5)]
+SCENE = """title = "Beside a path tracer"
+[simulation]
+model = "exact"
+[initial]
+angular_velocity = [0, 0, 1]
+attitude = [{}]
+[camera]
+position = [0, 0, 0.76]
+[look]
+background = "transparent"
+[clip]
+duration = 1
+size = [{}, {}]
+"""
+BLUR = 1.0  # Standard deviation of what an eye blurs, at a picture's usual distance. [pixels of 640x360]
+
+
+def quaternion(x, y, z):
+    """Returns [w, x, y, z] of rotations about the world's x, then y, then z axis."""
+    def times(a, b):
+        return np.array([a[0] * b[0] - a[1:] @ b[1:], *(a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:]))])
+    turns = [np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)]) for angle, axis in zip((x, y, z), np.eye(3))]
+    return times(turns[2], times(turns[1], turns[0]))
+
+
+def tone_mapped(radiance):
+    """Returns the sRGB value of linear light, as shaders/tone_curve.frag has it: Khronos' PBR neutral curve."""
+    start, desaturation = 0.8 - 0.04, 0.15
+    least = radiance.min(-1, keepdims=True)
+    radiance = radiance - np.where(least < 0.08, least - 6.25 * least ** 2, 0.04)
+    peak = radiance.max(-1, keepdims=True)
+    room = 1 - start
+    new_peak = 1 - room ** 2 / (peak + room - start)
+    grey = 1 - 1 / (desaturation * (peak - new_peak) + 1)
+    bright = radiance * new_peak / np.maximum(peak, 1e-9) * (1 - grey) + new_peak * grey
+    light = np.clip(np.where(peak < start, radiance, bright), 0, 1)
+    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def drawn(program, folder, name, size):
+    """Draws the view by rotatebook, and exports it; returns the picture."""
+    picture = os.path.join(folder, name + ".png")
+    for words in (["still", "--time", "0", "-o", picture], ["export", "-o", os.path.join(folder, name + ".glb")]):
+        if os.path.exists(words[-1]):
+            os.remove(words[-1])
+        subprocess.run([program, "-q", words[0], os.path.join(folder, name + ".toml"), *words[1:]], check=True)
+    return io.imread(picture) / 255
+
+
+def traced(folder, name, size, samples):
+    """Path traces the exported view; returns the picture: sRGB and alpha."""
+    output = os.path.join(folder, name + ".npy")
+    with open(os.path.join(folder, name + ".log"), "w", encoding="utf8") as log:
+        subprocess.run(["blender", "--background", "--python-exit-code", "1", "--python", os.path.join(HERE, "cycles_view.py"), "--",
+                        os.path.join(folder, name + ".glb"), output, *map(str, size), str(samples)],
+                       check=True, stdout=log, stderr=log)
+    pixels = np.load(output).astype(float)
+    alpha = pixels[..., 3:]
+    return np.concatenate([tone_mapped(pixels[..., :3] / np.maximum(alpha, 1e-6)), alpha], -1)
+
+
+def differences(ours, theirs, blur):
+    """Returns, of what both pictures have the body at: mean difference in 8 bits, with its sign, and what is seen of it."""
+    body = (ours[..., 3] > 0.999) & (theirs[..., 3] > 0.999)
+    blurred = [color.rgb2lab(filters.gaussian(picture[..., :3] * body[..., None], blur, channel_axis=-1)
+                             / np.maximum(filters.gaussian(body.astype(float), blur), 1e-6)[..., None])
+               for picture in (ours, theirs)]
+    seen = color.deltaE_ciede2000(*blurred)[body]
+    apart = 255 * (ours - theirs)[..., :3][body]
+    return np.abs(apart).mean(), apart.mean(), seen.mean(), np.percentile(seen, 95)
+
+
+def over_grey(picture):
+    return picture[..., :3] * picture[..., 3:] + 0.16 * (1 - picture[..., 3:])
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("folder")
+    parser.add_argument("--size", nargs=2, type=int, default=[640, 360], metavar=("WIDTH", "HEIGHT"))
+    parser.add_argument("--samples", type=int, default=256)
+    parser.add_argument("--keep", action="store_true", help="take Cycles' pictures that are in the folder")
+    arguments = parser.parse_args()
+    os.makedirs(arguments.folder, exist_ok=True)
+    program, rows, results = os.path.abspath(arguments.program), [], []
+    print("view   mean difference   brighter by   seen (CIEDE2000): mean   95 %")
+    for number, view in enumerate(VIEWS):
+        name = f"view-{number}"
+        with open(os.path.join(arguments.folder, name + ".toml"), "w", encoding="utf8") as scene:
+            scene.write(SCENE.format(", ".join(map(repr, map(float, quaternion(*view)))), *arguments.size))
+        ours = drawn(program, arguments.folder, name, arguments.size)
+        if arguments.keep and os.path.exists(os.path.join(arguments.folder, name + ".npy")):
+            pixels = np.load(os.path.join(arguments.folder, name + ".npy")).astype(float)
+            theirs = np.concatenate([tone_mapped(pixels[..., :3] / np.maximum(pixels[..., 3:], 1e-6)), pixels[..., 3:]], -1)
+        else:
+            theirs = traced(arguments.folder, name, arguments.size, arguments.samples)
+        results.append(differences(ours, theirs, BLUR * arguments.size[0] / 640))
+        print("{:4d} {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(number, *results[-1]), flush=True)
+        rows.append(np.concatenate([over_grey(ours), over_grey(theirs), np.clip(0.5 + over_grey(ours) - over_grey(theirs), 0, 1)], 1))
+    print("mean {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(*np.mean(results, 0)))
+    io.imsave(os.path.join(arguments.folder, "beside.png"), (255 * np.concatenate(rows) + 0.5).astype(np.uint8))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

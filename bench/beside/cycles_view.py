@@ -1,0 +1,104 @@
+"""Run by Blender: path traces an exported book in rotatebook's studio.
+
+blender --background --python-exit-code 1 --python cycles_view.py -- VIEW.glb OUTPUT.npy WIDTH HEIGHT SAMPLES
+
+Writes WIDTH x HEIGHT x 4 32-bit floats, the uppermost row first: linear red, green, blue, premultiplied, and alpha.
+"""
+import os
+import sys
+import tempfile
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import studio
+
+np.bool = bool  # Which the importer of Blender 3.4 asks for, and newer versions of NumPy lack.
+
+STUDIO_HEIGHT = 512  # Of the studio as a map, which is twice as wide. [pixels]
+GOLD_ROUGHNESS = 0.26
+
+
+def studio_map():
+    """Returns the studio as Blender's equirectangular map, the lowest row first; Blender's z is up, -y is ahead."""
+    height, width = STUDIO_HEIGHT, 2 * STUDIO_HEIGHT
+    v, u = np.meshgrid((np.arange(height) + 0.5) / height, (np.arange(width) + 0.5) / width, indexing="ij")
+    latitude, longitude = np.pi * (v - 0.5), -2 * np.pi * (u - 0.5)
+    x, y, z = np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude), np.sin(latitude)
+    light = studio.radiance(np.stack([x, z, -y], -1).reshape(-1, 3))
+    return np.concatenate([light, np.ones((len(light), 1))], 1).astype(np.float32)
+
+
+def light_by_studio(scene):
+    image = bpy.data.images.new("studio", 2 * STUDIO_HEIGHT, STUDIO_HEIGHT, alpha=False, float_buffer=True)
+    image.colorspace_settings.name = "Linear"
+    image.pixels.foreach_set(studio_map().ravel())
+    scene.world = bpy.data.worlds.new("studio")
+    scene.world.use_nodes = True
+    nodes = scene.world.node_tree.nodes
+    environment = nodes.new("ShaderNodeTexEnvironment")
+    environment.image = image
+    scene.world.node_tree.links.new(environment.outputs["Color"], nodes["Background"].inputs["Color"])
+
+
+def number(nodes, links, operation, *inputs, clamp=False):
+    """Adds a node that computes with numbers or others' outputs; returns its output."""
+    node = nodes.new("ShaderNodeMath")
+    node.operation, node.use_clamp = operation, clamp
+    for socket, value in zip(node.inputs, inputs):
+        if isinstance(value, (int, float)):
+            socket.default_value = value
+        else:
+            links.new(value, socket)
+    return node.outputs[0]
+
+
+def stamp_gold(material):
+    """Makes what is golden in the material's picture a metal, as goldness() of shaders/cover.frag has it."""
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    surface = nodes["Principled BSDF"]
+    colour = surface.inputs["Base Color"].links[0].from_socket
+    parts = nodes.new("ShaderNodeSeparateColor")
+    links.new(colour, parts.inputs[0])
+    red, green, blue = parts.outputs[:3]
+    yellow = number(nodes, links, "MULTIPLY", 4, number(nodes, links, "SUBTRACT", green, number(
+        nodes, links, "MULTIPLY", 0.35, red)), clamp=True)
+    warm = number(nodes, links, "MULTIPLY", 6, number(nodes, links, "SUBTRACT", number(
+        nodes, links, "MULTIPLY", 0.5, red), blue), clamp=True)
+    gold = number(nodes, links, "MULTIPLY", yellow, warm)
+    links.new(gold, surface.inputs["Metallic"])
+    cloth = surface.inputs["Roughness"].default_value
+    links.new(number(nodes, links, "ADD", cloth, number(nodes, links, "MULTIPLY", GOLD_ROUGHNESS - cloth, gold)),
+              surface.inputs["Roughness"])
+
+
+def main():
+    source, output, width, height, samples = sys.argv[sys.argv.index("--") + 1:]
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    bpy.ops.import_scene.gltf(filepath=source)
+    scene = bpy.context.scene
+    scene.frame_set(0)
+    scene.camera = next(thing for thing in scene.objects if thing.type == "CAMERA")
+    light_by_studio(scene)
+    for material in bpy.data.materials:
+        if material.name in ("front", "spine", "back"):
+            stamp_gold(material)
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = int(samples), False, 1
+    scene.render.film_transparent = True
+    scene.render.resolution_x, scene.render.resolution_y = int(width), int(height)
+    scene.view_settings.view_transform = "Raw"
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth, scene.render.image_settings.color_mode = "32", "RGBA"
+    with tempfile.TemporaryDirectory() as folder:
+        scene.render.filepath = os.path.join(folder, "view.exr")
+        bpy.ops.render.render(write_still=True)
+        picture = bpy.data.images.load(scene.render.filepath)
+        picture.alpha_mode = "PREMUL"
+        pixels = np.empty(len(picture.pixels), np.float32)
+        picture.pixels.foreach_get(pixels)
+    np.save(output, pixels.reshape(int(height), int(width), 4)[::-1])
+
+
+main()

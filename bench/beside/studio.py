@@ -8,7 +8,6 @@ import re
 import numpy as np
 
 SHADERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../shaders")
-DIRECTIONS, NORMALS = 400000, 2000  # Of light, and of surfaces that the polynomials are fitted to.
 TERMS = ["kEven", "kX", "kY", "kZ", "kXy", "kYz", "kZx", "kXxYy", "kZz"]
 
 
@@ -58,17 +57,17 @@ def terms(normal):
     return np.stack([np.ones_like(x), x, y, z, x * y, y * z, z * x, x * x - y * y, 3 * z * z - 1], -1)
 
 
-def scattered(normal):
-    """Returns the irradiance / pi, n x 3, of n normals."""
-    direction = even_directions(DIRECTIONS)
+def scattered(normal, directions):
+    """Returns the irradiance / pi, n x 3, of n normals, from light of so many directions."""
+    direction = even_directions(directions)
     light = radiance(direction)
     return np.array([4 * (np.maximum(direction @ toward, 0)[:, None] * light).mean(0) for toward in normal])
 
 
-def fitted():
+def fitted(directions=400000, normals=2000):
     """Returns the constants, 9 x 3, whose polynomial is nearest to the scattered light, and how far off that is in the mean."""
-    normal = even_directions(NORMALS)
-    light = scattered(normal)
+    normal = even_directions(normals)
+    light = scattered(normal, directions)
     constants = np.linalg.lstsq(terms(normal), light, rcond=None)[0]
     return constants, np.sqrt(((terms(normal) @ constants - light) ** 2).mean())
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The book beside a path tracer: eight views drawn by rotatebook and by Blender's Cycles, from the same mesh, pictures,
-camera and studio, and how far they are apart.
+"""The book beside a path tracer: eight views drawn by rotatebook and by Blender's Cycles, from the same mesh,
+pictures, camera and studio, and how far they are apart.
 
     bench/beside/beside_cycles.py PROGRAM FOLDER
 
@@ -40,7 +40,8 @@ def quaternion(x, y, z):
     """Returns [w, x, y, z] of rotations about the world's x, then y, then z axis."""
     def times(a, b):
         return np.array([a[0] * b[0] - a[1:] @ b[1:], *(a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:]))])
-    turns = [np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)]) for angle, axis in zip((x, y, z), np.eye(3))]
+    turns = [np.array([np.cos(angle / 2), *(np.sin(angle / 2) * axis)])
+             for angle, axis in zip((x, y, z), np.eye(3))]
     return times(turns[2], times(turns[1], turns[0]))
 
 
@@ -58,30 +59,35 @@ def tone_mapped(radiance):
     return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
 
 
-def drawn(program, folder, name, size):
+def drawn(program, folder, name):
     """Draws the view by rotatebook, and exports it; returns the picture."""
     picture = os.path.join(folder, name + ".png")
-    for words in (["still", "--time", "0", "-o", picture], ["export", "-o", os.path.join(folder, name + ".glb")]):
+    exported = os.path.join(folder, name + ".glb")
+    for words in (["still", "--time", "0", "-o", picture], ["export", "-o", exported]):
         if os.path.exists(words[-1]):
             os.remove(words[-1])
         subprocess.run([program, "-q", words[0], os.path.join(folder, name + ".toml"), *words[1:]], check=True)
     return io.imread(picture) / 255
 
 
-def traced(folder, name, size, samples):
-    """Path traces the exported view; returns the picture: sRGB and alpha."""
+def trace(folder, name, size, samples):
+    """Path traces the exported view into NAME.npy."""
     output = os.path.join(folder, name + ".npy")
     with open(os.path.join(folder, name + ".log"), "w", encoding="utf8") as log:
-        subprocess.run(["blender", "--background", "--python-exit-code", "1", "--python", os.path.join(HERE, "cycles_view.py"), "--",
-                        os.path.join(folder, name + ".glb"), output, *map(str, size), str(samples)],
-                       check=True, stdout=log, stderr=log)
-    pixels = np.load(output).astype(float)
+        subprocess.run(["blender", "--background", "--python-exit-code", "1", "--python",
+                        os.path.join(HERE, "cycles_view.py"), "--", os.path.join(folder, name + ".glb"), output,
+                        *map(str, size), str(samples)], check=True, stdout=log, stderr=log)
+
+
+def traced(folder, name):
+    """Returns what trace() wrote as a picture: sRGB and alpha."""
+    pixels = np.load(os.path.join(folder, name + ".npy")).astype(float)
     alpha = pixels[..., 3:]
     return np.concatenate([tone_mapped(pixels[..., :3] / np.maximum(alpha, 1e-6)), alpha], -1)
 
 
 def differences(ours, theirs, blur):
-    """Returns, of what both pictures have the body at: mean difference in 8 bits, with its sign, and what is seen of it."""
+    """Returns, where both have the body: the mean difference in 8 bits, with its sign, too, and what is seen of it."""
     body = (ours[..., 3] > 0.999) & (theirs[..., 3] > 0.999)
     blurred = [color.rgb2lab(filters.gaussian(picture[..., :3] * body[..., None], blur, channel_axis=-1)
                              / np.maximum(filters.gaussian(body.astype(float), blur), 1e-6)[..., None])
@@ -110,15 +116,14 @@ def main():
         name = f"view-{number}"
         with open(os.path.join(arguments.folder, name + ".toml"), "w", encoding="utf8") as scene:
             scene.write(SCENE.format(", ".join(map(repr, map(float, quaternion(*view)))), *arguments.size))
-        ours = drawn(program, arguments.folder, name, arguments.size)
-        if arguments.keep and os.path.exists(os.path.join(arguments.folder, name + ".npy")):
-            pixels = np.load(os.path.join(arguments.folder, name + ".npy")).astype(float)
-            theirs = np.concatenate([tone_mapped(pixels[..., :3] / np.maximum(pixels[..., 3:], 1e-6)), pixels[..., 3:]], -1)
-        else:
-            theirs = traced(arguments.folder, name, arguments.size, arguments.samples)
+        ours = drawn(program, arguments.folder, name)
+        if not (arguments.keep and os.path.exists(os.path.join(arguments.folder, name + ".npy"))):
+            trace(arguments.folder, name, arguments.size, arguments.samples)
+        theirs = traced(arguments.folder, name)
         results.append(differences(ours, theirs, BLUR * arguments.size[0] / 640))
         print("{:4d} {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(number, *results[-1]), flush=True)
-        rows.append(np.concatenate([over_grey(ours), over_grey(theirs), np.clip(0.5 + over_grey(ours) - over_grey(theirs), 0, 1)], 1))
+        row = [over_grey(ours), over_grey(theirs)]
+        rows.append(np.concatenate([*row, np.clip(0.5 + row[0] - row[1], 0, 1)], 1))
     print("mean {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(*np.mean(results, 0)))
     io.imsave(os.path.join(arguments.folder, "beside.png"), (255 * np.concatenate(rows) + 0.5).astype(np.uint8))
 

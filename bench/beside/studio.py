@@ -27,7 +27,7 @@ def smoothstep(low, high, x):
 
 
 def radiance(direction):
-    """Returns the radiance, n x 3, from each of n directions, as a perfect mirror shows it; +y is up, +z to the camera."""
+    """Returns the radiance, n x 3, from n directions, as a perfect mirror shows it; +y is up, +z to the camera."""
     text = read("studio_shine.glsl")
     height = smoothstep(-0.5, 0.7, direction[:, 1])[:, None]
     light = constant(text, "kBelow") * (1 - height) + constant(text, "kAbove") * height
@@ -65,7 +65,7 @@ def scattered(normal, directions):
 
 
 def fitted(directions=400000, normals=2000):
-    """Returns the constants, 9 x 3, whose polynomial is nearest to the scattered light, and how far off that is in the mean."""
+    """Returns the constants, 9 x 3, whose polynomial is nearest to the scattered light, and how far off it is."""
     normal = even_directions(normals)
     light = scattered(normal, directions)
     constants = np.linalg.lstsq(terms(normal), light, rcond=None)[0]

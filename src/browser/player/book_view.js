@@ -9,7 +9,7 @@ precision highp sampler2D;
 // There is no bias of a texture's level but in the call.
 const kSharper = "#define texture(sampler, place) texture(sampler, place, -0.5)\n";
 const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
-const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
+const kWall = [25 / 255, 28 / 255, 34 / 255];  // The edge of studio.frag's.
 const kLightShare = 0.45;  // Of the dark wall, which is taken from white in the light look.
 const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
 const kSamples = 4;     // Of a pixel near a book.

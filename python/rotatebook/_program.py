@@ -16,7 +16,7 @@ import subprocess
 import sys
 import tempfile
 import threading
-from typing import Any, Iterator, Mapping, Optional, Sequence, Union
+from typing import Any, Iterator, Mapping, NoReturn, Optional, Sequence, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -31,6 +31,7 @@ _PATIENCE = 0.02  # How long an interrupted program may take before the caller g
 _ANSWERS = (0, 1, 4)  # Exit statuses of a run that has a result, good or not.
 _KINDS = {".mp4": "video/mp4", ".webm": "video/webm", ".mov": "video/quicktime", ".gif": "image/gif", ".png": "image/png",
           ".apng": "image/apng"}
+_TABLE = "the table"  # The name in messages of one that arrays are written to.
 
 
 def program() -> str:
@@ -64,10 +65,20 @@ def _abandon(child: subprocess.Popen[str]) -> None:
         threading.Thread(target=child.wait, daemon=True).start()
 
 
-def run(words: Sequence[str], progress: Optional[Progress] = None) -> Report:
+def _raise(message: str, status: int, words: Sequence[str], names: Mapping[str, str]) -> NoReturn:
+    """Throws what the program said, a SceneError if that is about a place in one of the files among `words`."""
+    for word in words:
+        if re.match(rf"{re.escape(word)}:\d+:\d+: ", message):
+            raise SceneError.of(message, word, names.get(word, word))
+    for file, name in names.items():
+        message = message.replace(file, name)
+    raise ProgramError(message, status)
+
+
+def run(words: Sequence[str], progress: Optional[Progress] = None, *, names: Mapping[str, str] = {}) -> Report:
     """Runs the program with --json; returns its object, whatever it says of bounds that aren't kept.
 
-    Throws SceneError for a scene that is refused, ProgramError for what else fails. Ctrl-C ends the program.
+    `names` are what messages call files. Throws SceneError for a scene that is refused, ProgramError for what else fails. Ctrl-C ends the program.
     """
     command = [program(), *words, "--json", "--progress", "json"]
     said = []
@@ -94,18 +105,16 @@ def run(words: Sequence[str], progress: Optional[Progress] = None) -> Report:
     if text.startswith("{") and status in _ANSWERS:
         report: Report = json.loads(text)
         return report
-    message = "".join(said).strip().removeprefix("rotatebook: ")
-    place = re.match(r"(\S.*?\.toml):\d+:\d+: ", message)
-    raise SceneError.of(message, place[1], place[1]) if place else ProgramError(message, status)
+    _raise("".join(said).strip().removeprefix("rotatebook: "), status, words, names)
 
 
 @contextlib.contextmanager
-def _file_of(scene: Union[Scene, Path]) -> Iterator[str]:
-    """Gives a file of the scene for as long as the program needs it."""
+def _file_of(scene: Union[Scene, Path]) -> Iterator[tuple[str, dict[str, str]]]:
+    """Gives a file of the scene for as long as the program needs it, and what messages call it."""
     if not isinstance(scene, Scene):
-        yield os.fspath(scene)
+        yield os.fspath(scene), {}
     elif scene.file is not None:
-        yield os.fspath(scene.file)
+        yield os.fspath(scene.file), {}
     else:
         with tempfile.TemporaryDirectory() as folder:
             for name, content in scene.files().items():
@@ -114,7 +123,7 @@ def _file_of(scene: Union[Scene, Path]) -> Iterator[str]:
                 path.write_bytes(content)
             file = pathlib.Path(folder) / f"{scene.name}.toml"
             file.write_text(scene.text, encoding="utf-8")
-            yield os.fspath(file)
+            yield os.fspath(file), {os.fspath(file): file.name}
 
 
 class Proof:
@@ -151,7 +160,9 @@ class Clip:
 
     def _repr_html_(self) -> str:
         content = self.file.read_bytes()
-        kind = _KINDS[self.file.suffix]
+        kind = _KINDS.get(self.file.suffix.lower())
+        if kind is None:
+            return f"<code>{html.escape(str(self.file))}</code>"
         data = f"data:{kind};base64,{base64.b64encode(content).decode()}"
         name = html.escape(self.file.name)
         shown = (f'<video controls loop src="{data}" title="{name}"></video>' if kind.startswith("video")
@@ -172,8 +183,9 @@ def render(scene: Union[Scene, Path], output: Path = "out", *, progress: Optiona
     `progress` is called every second and at the end, with the frames that are done, and how many there are.
     """
     options = {"no_png": True, **options}
-    with _file_of(scene) as file:
-        report = run(["render", file, "-o", os.fspath(output), *_options(options)], progress)["scenes"][0]
+    with _file_of(scene) as (file, names):
+        words = ["render", file, "-o", os.fspath(output), *_options(options)]
+        report = run(words, progress, names=names)["scenes"][0]
     videos = [name for name in report["files"] if pathlib.Path(name).suffix in _KINDS and not name.endswith(".poster.png")]
     if not videos:
         raise Error(f"the render made no video, but {report['files']}")
@@ -197,6 +209,16 @@ def _write_table(file: pathlib.Path, motion: Union[Motion, Mapping[str, npt.Arra
     np.savetxt(file, np.hstack(columns), fmt="%.17g", delimiter=",", header=names, comments="")
 
 
+def _judge_table(table: pathlib.Path, options: Options) -> Report:
+    """Judges a table of arrays; messages name its rows as the arrays count them, from 0."""
+    try:
+        return run(["judge", str(table), *_options(options)], names={str(table): _TABLE})
+    except ProgramError as error:
+        # The file's first line has the columns' names
+        message = re.sub(rf"^{_TABLE}:(\d+):", lambda line: f"{_TABLE}, row {int(line[1]) - 2}:", str(error))
+        raise ProgramError(message, error.status) from None
+
+
 def judge(motion: Union[Scene, Motion, Path, Mapping[str, npt.ArrayLike]], *,
           inertia: Optional[Sequence[float]] = None, **options: Any) -> Report:
     """Compares a motion with the exact one from the same start.
@@ -214,9 +236,9 @@ def judge(motion: Union[Scene, Motion, Path, Mapping[str, npt.ArrayLike]], *,
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "motion.csv"
             _write_table(table, motion)
-            return run(["judge", str(table), *_options(options)])
-    with _file_of(motion) as file:
-        return run(["judge", file, *_options(options)])
+            return _judge_table(table, options)
+    with _file_of(motion) as (file, names):
+        return run(["judge", file, *_options(options)], names=names)
 
 
 def toss(recording: Path, **options: Any) -> Report:
@@ -227,8 +249,8 @@ def toss(recording: Path, **options: Any) -> Report:
 def map(scene: Union[Scene, Path], output: Path = "out", *, progress: Optional[Progress] = None,
         **options: Any) -> tuple[Report, npt.NDArray[Any]]:
     """Draws the scene's map into the folder `output`; returns the report, and the values of its pixels."""
-    with _file_of(scene) as file:
-        report = run(["map", file, "-o", os.fspath(output), *_options(options)], progress)
+    with _file_of(scene) as (file, names):
+        report = run(["map", file, "-o", os.fspath(output), *_options(options)], progress, names=names)
         name = pathlib.Path(file).stem
     values: npt.NDArray[Any] = np.load(pathlib.Path(output) / f"{name}.npy")
     return report, values
@@ -237,5 +259,5 @@ def map(scene: Union[Scene, Path], output: Path = "out", *, progress: Optional[P
 def study(scene: Union[Scene, Path], output: Path = "out", *, progress: Optional[Progress] = None,
           **options: Any) -> Report:
     """Runs the scene's study, with tables and plots in the folder `output`; returns the report."""
-    with _file_of(scene) as file:
-        return run(["study", file, "-o", os.fspath(output), *_options(options)], progress)
+    with _file_of(scene) as (file, names):
+        return run(["study", file, "-o", os.fspath(output), *_options(options)], progress, names=names)

@@ -41,6 +41,28 @@ class Clips(unittest.TestCase):
         self.assertEqual(clip.file.name, "covered.mov")
         self.assertIn("data:video/quicktime;base64,", clip._repr_html_())
 
+    def test_of_every_format_show_themselves(self):
+        kinds = {"mp4": "video/mp4", "webm": "video/webm", "gif": "image/gif", "apng": "image/apng"}
+        for name, kind in kinds.items():
+            clip = rotatebook.render(SMALL, "formats", format=name, overwrite=True)
+            self.assertIn(f'src="data:{kind};base64,', clip._repr_html_())
+        other = pathlib.Path("a<b.mkv")
+        other.write_bytes(b"no format of the program")
+        self.assertEqual(rotatebook.Clip(other)._repr_html_(), "<code>a&lt;b.mkv</code>")
+
+    def test_of_scenes_with_any_ending_say_where_the_mistake_is(self):
+        for name in ("bad.txt", "bad (1).scene"):
+            pathlib.Path(name).write_text("[body]\nmass = 3\nmaas = 3\nsize = 1\n")
+            with self.assertRaises(SceneError) as refused:
+                rotatebook.render(name)
+            self.assertEqual([mistake[:2] for mistake in refused.exception.mistakes], [(3, 1), (4, 8)])
+            self.assertIn(f"{name}:3:1: ", str(refused.exception))
+
+    def test_of_texts_and_tables_are_called_by_the_scenes_name(self):
+        for scene in (SMALL, Scene.from_dict(SMALL.to_dict(), name="small")):
+            with self.assertRaisesRegex(rotatebook.Error, r"^small\.toml: "):
+                rotatebook.map(scene)
+
     def test_that_arent_made_say_why(self):
         pathlib.Path("bad.toml").write_text("[body]\nmaas = 3\n")
         with self.assertRaises(SceneError) as refused:
@@ -77,6 +99,16 @@ class Judging(unittest.TestCase):
                          rotatebook.judge({"time": motion.time, "attitude": motion.attitude * [1, 1, -1, 1]},
                                           inertia=motion.moments, max_error_deg=1)["met"])
         self.assertEqual(rotatebook.judge(SMALL)["motions"][0]["method"], "agrees with the exact motion")
+
+    def test_names_rows_of_arrays(self):
+        motion = SMALL.simulate()[0]
+        wrong = {"time": motion.time, "attitude": motion.attitude.copy()}
+        wrong["attitude"][3] *= 2
+        with self.assertRaisesRegex(ProgramError, r"^the table, row 3: the quaternion's norm is 2") as refused:
+            rotatebook.judge(wrong, inertia=motion.moments)
+        self.assertEqual(refused.exception.status, 2)
+        with self.assertRaisesRegex(ProgramError, "^the table: a single row"):
+            rotatebook.judge({name: array[:1] for name, array in wrong.items()}, inertia=motion.moments)
 
     def test_studies_maps_and_tosses(self):
         study = rotatebook.study(SMALL, "studies", integrators="rk4", steps="4,8,16,32")

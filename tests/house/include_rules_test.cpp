@@ -76,7 +76,7 @@ const std::map<std::string, Room> kRooms{
     {"interchange",
      {"app",
       {"base", "body", "physics", "geometry", "scene", "timeline", "image", "render", "picture"},
-      {"Eigen/"},
+      {"Eigen/", "zip.h"},
       {"rigid"}}},
     {"store",
      {"app",

@@ -2,20 +2,20 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
 
 #include "base/error.h"
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/scene_options.h"
-#include "interchange/motion_glb.h"
+#include "interchange/motion_file.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
 
@@ -25,7 +25,8 @@ namespace {
 struct ExportArguments {
   std::string scene, output, panel;
   SceneOptions sceneOptions;
-  interchange::GlbOptions glb;
+  interchange::KeyOptions keys;
+  bool json = false;
 };
 
 /// Returns the index of the panel with that label, or else of that number, from 1; the first one's
@@ -51,13 +52,38 @@ std::size_t panelOf(const scene::Scene& scene, const std::string& name) {
 
 /// Throws InputError if there is something at `path` that no export left.
 void requireAbsentOrExported(const std::filesystem::path& path) {
-  constexpr std::size_t kHeaders = 20;  // Of the file and of its document.
-  const std::string bytes = system::readFileOrEmpty(path);
-  const bool isExported =
-      bytes.size() > kHeaders &&
-      bytes.compare(kHeaders, std::string_view(interchange::kGlbBeginning).size(),
-                    interchange::kGlbBeginning) == 0;
-  if (!isExported) requireAbsent(path);
+  if (!interchange::isMotionFile(system::readFileOrEmpty(path))) requireAbsent(path);
+}
+
+bool isUsdz(const std::string& output) {
+  if (std::filesystem::path(output).extension() == ".usdz") return true;
+  requireEnding(output, ".glb", "-o", "or .usdz");
+  return false;
+}
+
+void report(const std::string& name, const std::string& output, const std::string& label,
+            const interchange::MotionFile& file) {
+  const std::string error =
+      file.errorM ? fmt::format("{} mm off at a corner", roundedText(1000 * *file.errorM, 3))
+                  : fmt::format("{} degrees off", roundedText(file.errorDeg, 2));
+  std::cout << fmt::format("{}: wrote {}, {} KB: {}{} keys in {} s, at most {} between them\n",
+                           name, oneLine(output), (file.bytes.size() + 999) / 1000,
+                           label.empty() ? "" : oneLine(label) + ", ", file.keys,
+                           roundedText(file.seconds, 4), error);
+}
+
+void reportAsJson(const std::string& name, const std::string& output, const std::string& label,
+                  const interchange::MotionFile& file) {
+  std::cout << jsonText({{"name", name},
+                         {"file", output},
+                         {"bytes", file.bytes.size()},
+                         {"panel", orNull(label)},
+                         {"keys", file.keys},
+                         {"seconds", file.seconds},
+                         {"error_deg", file.errorDeg},
+                         {"error_m", orNull(file.errorM)},
+                         {"notes", file.notes}})
+            << '\n';
 }
 
 int exportScene(const ExportArguments& arguments) {
@@ -66,18 +92,14 @@ int exportScene(const ExportArguments& arguments) {
   if (arguments.output.empty()) refuseSameNames({scene});
   const std::string output = arguments.output.empty() ? scene.name + ".glb" : arguments.output;
   refuseInputs(output, inputsOf(arguments.scene, scene));
-  requireEnding(output, ".glb");
+  const auto exported = isUsdz(output) ? interchange::motionUsdz : interchange::motionGlb;
   requireAbsentOrExported(output);
-  const interchange::MotionGlb glb = interchange::motionGlb(scene, panel, arguments.glb);
+  const interchange::MotionFile file = exported(scene, panel, arguments.keys);
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
-  system::writeFileAtomically(output, glb.bytes);
-  const std::string& label = scene.motions[panel].label;
-  std::cout << fmt::format(
-      "{}: wrote {}, {} KB: {}{} keys in {} s, at most {} degrees off between them\n", scene.name,
-      oneLine(output), (glb.bytes.size() + 999) / 1000, label.empty() ? "" : oneLine(label) + ", ",
-      glb.keys, roundedText(glb.seconds, 4), roundedText(glb.errorDeg, 2));
-  for (const std::string& note : glb.notes) std::cerr << "note: " << note << '\n';
+  system::writeFileAtomically(output, file.bytes);
+  (arguments.json ? reportAsJson : report)(scene.name, output, scene.motions[panel].label, file);
+  for (const std::string& note : file.notes) std::cerr << "note: " << note << '\n';
   if (replaces) std::cerr << "note: replaced " << oneLine(output) << '\n';
   return kDone;
 }
@@ -86,27 +108,31 @@ int exportScene(const ExportArguments& arguments) {
 
 void addExportCommand(CLI::App& program, Action& action) {
   constexpr int kMaxKeys = 1000;
-  auto [command, arguments] = addCommand(
-      program, action, "export",
-      "Write a motion as an animated GLB, for other programs; needs no graphics", exportScene);
+  auto [command, arguments] =
+      addCommand(program, action, "export",
+                 "Write a motion as an animated GLB or USDZ, for other programs; needs no graphics",
+                 exportScene);
   command.add_option("SCENE", arguments.scene, "Scene file")->required();
   addOption(command, "-o,--output", "FILE", arguments.output,
-            "GLB to write; by default NAME.glb, in the folder where you are");
+            "File to write, .glb or .usdz; by default NAME.glb, in the folder where you are");
   addOption(command, "--panel", "LABEL|NUMBER", arguments.panel,
             "Panel to write, by its label or counted from 1; by default the first");
-  addOption(command, "--keys", "N", arguments.glb.keysPerSecond,
+  addOption(command, "--keys", "N", arguments.keys.keysPerSecond,
             "Keys a second of the video; by default 60, or as many more as a fast spin needs")
       ->check(CLI::Range(1, kMaxKeys));
-  command.add_flag("--tangents", arguments.glb.tangents,
+  command.add_flag("--tangents", arguments.keys.tangents,
                    "CUBICSPLINE keys with exact tangents, in place of LINEAR ones");
+  command.add_flag("--json", arguments.json, "Print one JSON object");
   arguments.sceneOptions.addTo(command, /*draws=*/false);
   command.footer(R"(
 The file holds the body with its materials, its turning in the world by the video's clock, and the
 scene's camera. With --tangents a few keys are enough, but some programs, as Blender, drop tangents.
+A GLB has bodies that deform, too, by morphs of their corners; a USDZ, for phones, only rigid ones.
 
 Examples:
   rotatebook export scenes/starter.toml
   rotatebook export scenes/starter.toml -o book.glb --keys 15 --tangents
+  rotatebook export scenes/starter.toml -o book.usdz
   rotatebook export scenes/comparisons/axes.toml --panel 2)");
 }
 

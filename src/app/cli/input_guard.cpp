@@ -98,10 +98,11 @@ void refuseLosses(store::ResultKind kind, const scene::Scene& scene, const fs::p
   }
 }
 
-void requireEnding(const fs::path& output, const std::string& ending, const std::string& option) {
+void requireEnding(const fs::path& output, const std::string& ending, const std::string& option,
+                   const std::string& others) {
   if (output.extension() == ending) return;
-  throw InputError(
-      fmt::format("{} {}: the name of the file must end in {}", option, output.string(), ending));
+  throw InputError(fmt::format("{} {}: the name of the file must end in {}{}{}", option,
+                               output.string(), ending, others.empty() ? "" : " ", others));
 }
 
 void requirePictureOutput(const fs::path& output, const std::vector<Input>& inputs) {

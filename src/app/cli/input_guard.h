@@ -55,9 +55,9 @@ void refuseLosses(store::ResultKind kind, const scene::Scene& scene,
                   const std::vector<video::VideoFormat>& formats = {});
 
 /// Throws InputError if `output`, the value of `option`, hasn't the ending of its format: a clip,
-/// for example, isn't to be replaced by a picture.
+/// for example, isn't to be replaced by a picture. `others` names what else it may end in.
 void requireEnding(const std::filesystem::path& output, const std::string& ending,
-                   const std::string& option = "-o");
+                   const std::string& option = "-o", const std::string& others = "");
 
 /// Throws InputError if a command that draws the single picture `output` reads it, if it isn't
 /// named .png, or if it belongs to a clip, a map or a study, or has no mark of the program.

@@ -1,177 +1,160 @@
 #include "interchange/glb_body.h"
 
-#include <algorithm>
 #include <array>
-#include <cstdint>
-#include <memory>
+#include <cmath>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "body/surface.h"
-#include "geometry/body_mesh.h"
-#include "geometry/book_mesh.h"
-#include "image/downsample.h"
-#include "image/jpeg_writer.h"
-#include "image/png_file.h"
-#include "picture/looks.h"
-#include "render/book_textures.h"
-#include "render/surface_look.h"
+#include "body/cuboid.h"
+#include "geometry/mesh.h"
 
 namespace rotatebook::interchange {
 namespace {
 
-using Materials = std::vector<std::size_t>;  // Their numbers in the file, by part of the mesh.
+using Eigen::Vector3f;
 
-constexpr int kLongestSide = 1024;  // Of the book's pictures. [pixels]
-constexpr int kQuality = 80;        // Of them as JPEG.
-constexpr float kClothRoughness = 0.45F, kPaperRoughness = 1;
-
-/// Returns a picture's PNG or JPEG, whichever is smaller.
-std::string smallFileOf(const image::Image& picture) {
-  std::string jpeg = image::jpegText(picture.view(), kQuality);
-  image::PngWriter writer;
-  const std::string& png = writer.encode(picture.view(), "a picture");
-  return png.size() < jpeg.size() ? png : jpeg;
-}
-
-image::Image madeSmall(image::Image picture) {
-  while (std::max(picture.width(), picture.height()) > kLongestSide)
-    picture = image::downsampledOpaque(picture.view());
-  return picture;
-}
-
-int wrapOf(body::Wrap wrap) {
+int glbWrap(body::Wrap wrap) {
   constexpr int kRepeat = 10497, kClamp = 33071, kMirror = 33648;
   if (wrap == body::Wrap::Repeat) return kRepeat;
   return wrap == body::Wrap::Clamp ? kClamp : kMirror;
 }
 
-std::size_t addTexture(std::string_view picture, const body::Sampling& sampling, GlbFile& glb) {
+std::size_t addTexture(const ExportedPicture& picture, GlbFile& glb) {
   constexpr int kNearest = 9728, kLinear = 9729, kMipMaps = 9987;
   const std::size_t sampler =
-      glb.add("samplers", {{"magFilter", sampling.hasSquares ? kNearest : kLinear},
+      glb.add("samplers", {{"magFilter", picture.sampling.hasSquares ? kNearest : kLinear},
                            {"minFilter", kMipMaps},
-                           {"wrapS", wrapOf(sampling.across)},
-                           {"wrapT", wrapOf(sampling.down)}});
-  return glb.add("textures", {{"sampler", sampler}, {"source", glb.addPicture(picture)}});
+                           {"wrapS", glbWrap(picture.sampling.across)},
+                           {"wrapT", glbWrap(picture.sampling.down)}});
+  return glb.add("textures", {{"sampler", sampler}, {"source", glb.addPicture(picture.bytes)}});
 }
 
-/// Adds cloth or paper with a picture.
-std::size_t addPrinted(const char* name, image::Image picture, float roughness, body::Wrap wrap,
-                       GlbFile& glb) {
-  const std::size_t texture =
-      addTexture(smallFileOf(madeSmall(std::move(picture))), {wrap, wrap}, glb);
-  return glb.add("materials", {{"name", name},
-                               {"pbrMetallicRoughness",
-                                {{"baseColorTexture", {{"index", texture}}},
-                                 {"metallicFactor", 0},
-                                 {"roughnessFactor", roughness}}}});
+/// Adds a material; textures have the numbers of pictures.
+std::size_t addMaterial(const ExportedMaterial& material, GlbFile& glb) {
+  const Vector3f& colour = material.colour;
+  Json numbered{{"baseColorFactor", {colour.x(), colour.y(), colour.z(), 1}},
+                {"metallicFactor", material.metalness},
+                {"roughnessFactor", material.roughness}};
+  if (material.colourPicture) numbered["baseColorTexture"] = {{"index", *material.colourPicture}};
+  if (material.metalPicture)
+    numbered["metallicRoughnessTexture"] = {{"index", *material.metalPicture}};
+  Json made{{"pbrMetallicRoughness", std::move(numbered)}};
+  if (!material.name.empty()) made["name"] = material.name;
+  return glb.add("materials", std::move(made));
 }
 
-Materials addMaterials(const render::BookTextures& cover, GlbFile& glb) {
-  const auto cloth = [&](const char* name, const image::Image& picture) {
-    return addPrinted(name, picture, kClothRoughness, body::Wrap::Clamp, glb);
-  };
-  return {cloth("front", cover.front), cloth("spine", cover.spine), cloth("back", cover.back),
-          addPrinted("pages", render::builtinPaper(), kPaperRoughness, body::Wrap::Repeat, glb)};
-}
-
-/// Adds those that a part of the mesh has.
-Materials addMaterials(const render::SurfaceLook& look, const geometry::Mesh& mesh, GlbFile& glb) {
-  std::vector<std::optional<std::size_t>> textures(look.images.size());
-  const auto textureOf = [&](int image) {
-    const auto i = static_cast<std::size_t>(image);
-    const std::string& file = look.surface.images[i];
-    const bool isWebp = file.starts_with("RIFF");  // which glTF itself doesn't have
-    if (!textures[i])
-      textures[i] =
-          addTexture(isWebp ? image::PngWriter().encode(look.images[i].view(), "a picture") : file,
-                     look.surface.samplings[i], glb);
-    return Json{{"index", *textures[i]}};
-  };
-  Materials numbers(look.surface.materials.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (mesh.parts[i].triangles.empty()) continue;
-    const body::Material& material = look.surface.materials[i];
-    const Eigen::Vector3f& colour = material.baseColour;
-    Json numbered{{"baseColorFactor", {colour.x(), colour.y(), colour.z(), 1}},
-                  {"metallicFactor", material.metalness},
-                  {"roughnessFactor", material.roughness}};
-    if (material.baseColourImage != body::kNoImage)
-      numbered["baseColorTexture"] = textureOf(material.baseColourImage);
-    if (material.metalRoughnessImage != body::kNoImage)
-      numbered["metallicRoughnessTexture"] = textureOf(material.metalRoughnessImage);
-    numbers[i] = glb.add("materials", {{"pbrMetallicRoughness", std::move(numbered)}});
-  }
+template <typename Vector>
+std::vector<float> numbersOf(const std::vector<Vector>& vectors) {
+  std::vector<float> numbers;
+  for (const Vector& vector : vectors) numbers.insert(numbers.end(), vector.begin(), vector.end());
   return numbers;
 }
 
-/// The vertices of one part of a mesh.
-struct PartVertices {
-  std::vector<std::uint32_t> corners;
-  std::vector<float> positions, normals, texCoords;
-};
-
-/// Returns a part's vertices in metres: `size` is that of the mesh's unit cube.
-PartVertices verticesOf(const geometry::Mesh& mesh, const geometry::MeshPart& part,
-                        const Eigen::Vector3f& size) {
-  PartVertices made;
-  std::vector<std::uint32_t> numbers(mesh.vertices.size());  // One more than a vertex's; 0 if new.
-  for (const std::uint32_t corner : part.triangles) {
-    if (numbers[corner] == 0) {
-      const geometry::MeshVertex& vertex = mesh.vertices[corner];
-      const Eigen::Vector3f position =
-          (vertex.position - Eigen::Vector3f::Constant(0.5F)).cwiseProduct(size);
-      const Eigen::Vector3f normal = vertex.normal.cwiseQuotient(size).normalized();
-      made.positions.insert(made.positions.end(), position.begin(), position.end());
-      made.normals.insert(made.normals.end(), normal.begin(), normal.end());
-      made.texCoords.insert(made.texCoords.end(), {vertex.texCoord.x(), 1 - vertex.texCoord.y()});
-      numbers[corner] = static_cast<std::uint32_t>(made.positions.size() / 3);
-    }
-    made.corners.push_back(numbers[corner] - 1);
-  }
-  return made;
+/// Returns coordinates whose v points down, as glTF's do.
+std::vector<float> texCoordsOf(const ExportedPart& part) {
+  std::vector<float> numbers;
+  for (const Eigen::Vector2f& at : part.texCoords)
+    numbers.insert(numbers.end(), {at.x(), 1 - at.y()});
+  return numbers;
 }
 
-Json primitiveOf(const PartVertices& part, std::size_t material, bool hasPictures, GlbFile& glb) {
-  const std::size_t count = part.positions.size() / 3;
-  Json attributes{{"POSITION", glb.addFloats(part.positions, 3, Numbers::Ranged)},
-                  {"NORMAL", glb.addFloats(part.normals, 3, Numbers::OfVertices)}};
-  if (hasPictures) attributes["TEXCOORD_0"] = glb.addFloats(part.texCoords, 2, Numbers::OfVertices);
+/// Returns the derivative of a corner's weight by the position in the unit cube.
+Vector3f slopeOf(int corner, const Vector3f& at) {
+  Vector3f slope;
+  for (int axis = 0; axis < 3; ++axis) {
+    slope[axis] = 1;
+    for (int other = 0; other < 3; ++other) {
+      const bool isHigh = (corner & (1 << other)) != 0;
+      if (other == axis)
+        slope[axis] *= isHigh ? 1.0F : -1.0F;
+      else
+        slope[axis] *= isHigh ? at[other] : 1 - at[other];
+    }
+  }
+  return slope;
+}
+
+/// Adds the turning of normals by a corner that moves along an axis; returns their accessor.
+std::size_t addNormals(const ExportedPart& part, const std::vector<Vector3f>& slopes, int axis,
+                       GlbFile& glb) {
+  constexpr float kSeen = 1e-3F;
+  std::vector<std::uint32_t> places;
+  std::vector<float> turns;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    // By the cofactors of I + e s^T, of the first order, across the normal: n' = -s n_e
+    const Vector3f& normal = part.normals[i];
+    const Vector3f turn = -normal[axis] * (slopes[i] - normal * normal.dot(slopes[i]));
+    if (turn.norm() < kSeen) continue;
+    places.push_back(static_cast<std::uint32_t>(i));
+    turns.insert(turns.end(), turn.begin(), turn.end());
+  }
+  return glb.addSparse(places, turns, slopes.size());
+}
+
+/// Returns the morph targets of a part.
+Json targetsOf(const ExportedPart& part, const Eigen::Vector3d& size, double reach, GlbFile& glb) {
+  Json targets = Json::array();
+  const auto unit = static_cast<float>(2 * reach);
+  for (int corner = 0; corner < 8; ++corner) {
+    std::vector<float> moved;
+    std::vector<Vector3f> slopes;
+    for (const Vector3f& position : part.positions) {
+      const Vector3f at = position.cwiseQuotient(size.cast<float>()) + Vector3f::Constant(0.5F);
+      moved.push_back(unit * static_cast<float>(geometry::trilinearWeights(at)[corner]));
+      slopes.emplace_back(unit * slopeOf(corner, at).cwiseQuotient(size.cast<float>()));
+    }
+    const std::array<std::size_t, 3> positions = glb.addAlongAxes(moved);
+    for (int axis = 0; axis < 3; ++axis)
+      targets.push_back({{"POSITION", positions.at(static_cast<std::size_t>(axis))},
+                         {"NORMAL", addNormals(part, slopes, axis, glb)}});
+  }
+  return targets;
+}
+
+Json primitiveOf(const ExportedPart& part, double reach, bool hasPictures, GlbFile& glb) {
+  const std::size_t count = part.positions.size();
+  std::vector<Vector3f> positions = part.positions;
+  for (Vector3f& position : positions) position.array() -= static_cast<float>(reach);
+  Json attributes{{"POSITION", glb.addFloats(numbersOf(positions), 3, Numbers::Ranged)},
+                  {"NORMAL", glb.addFloats(numbersOf(part.normals), 3, Numbers::OfVertices)}};
+  if (hasPictures)
+    attributes["TEXCOORD_0"] = glb.addFloats(texCoordsOf(part), 2, Numbers::OfVertices);
   attributes["JOINTS_0"] = glb.addBytes({0, 0, 0, 0}, count, false);
   attributes["WEIGHTS_0"] = glb.addBytes({255, 0, 0, 0}, count, true);
   return {{"attributes", std::move(attributes)},
           {"indices", glb.addCorners(part.corners, count)},
-          {"material", material}};
+          {"material", part.material}};
+}
+
+/// Returns "corner 0 x" and so on.
+Json targetNames() {
+  Json names = Json::array();
+  for (int corner = 0; corner < 8; ++corner) {
+    for (const char* axis : {" x", " y", " z"})
+      names.push_back("corner " + std::to_string(corner) + axis);
+  }
+  return names;
 }
 
 }  // namespace
 
-std::size_t addBody(const scene::Scene& scene, GlbFile& glb) {
-  const render::BodyLook look = picture::loadLooks(scene).looks.front();
-  const auto* cover = std::get_if<render::BookTextures>(&look);
-  const bool isBook = cover != nullptr;
-  const render::SurfaceLook* other =
-      isBook ? nullptr : std::get<std::shared_ptr<const render::SurfaceLook>>(look).get();
-  const geometry::Mesh mesh =
-      isBook ? geometry::makeBookMesh() : geometry::makeBodyMesh(other->surface, other->size);
-  const Eigen::Vector3d& size = isBook ? scene.motions.front().body.size : other->size;
-  const Materials materials = isBook ? addMaterials(*cover, glb) : addMaterials(*other, mesh, glb);
-  const bool hasPictures = isBook || !other->images.empty();
-  Json primitives = Json::array();
-  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-    const geometry::MeshPart& part = mesh.parts[i];
-    if (part.hidden || part.triangles.empty()) continue;
-    primitives.push_back(
-        primitiveOf(verticesOf(mesh, part, size.cast<float>()), materials.at(i), hasPictures, glb));
+std::size_t addBody(const ExportedBody& body, std::optional<double> reach, GlbFile& glb) {
+  for (const ExportedPicture& picture : body.pictures) addTexture(picture, glb);
+  for (const ExportedMaterial& material : body.materials) addMaterial(material, glb);
+  Json mesh{{"name", body.name}, {"primitives", Json::array()}};
+  for (const ExportedPart& part : body.parts) {
+    Json primitive = primitiveOf(part, reach.value_or(0), !body.pictures.empty(), glb);
+    if (reach) primitive["targets"] = targetsOf(part, body.size, *reach, glb);
+    mesh["primitives"].push_back(std::move(primitive));
   }
-  return glb.add("meshes", {{"name", isBook ? "book" : "body"}, {"primitives", primitives}});
+  if (reach) {
+    mesh["extras"] = {{"targetNames", targetNames()}};
+  }
+  return glb.add("meshes", std::move(mesh));
 }
 
 }  // namespace rotatebook::interchange

@@ -2,15 +2,18 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
+#include "interchange/exported_body.h"
 #include "interchange/glb_file.h"
-#include "scene/scene.h"
 
 namespace rotatebook::interchange {
 
-/// Adds the body of the scene's only motion as a mesh around its centre of mass, in metres, with
-/// its materials and pictures, all of it bound to the first joint of a skin; returns its number
-/// among "meshes". Throws as picture::loadLooks() does.
-std::size_t addBody(const scene::Scene& scene, GlbFile& glb);
+/// Adds a body as a mesh, with its materials and pictures, all of it bound to the first joint of a
+/// skin; returns its number among "meshes". With `reach` > 0 [m] each corner of the box around it
+/// has three morph targets, which move it along x, y and z: by -reach at weight 0, by reach at 1,
+/// as Blender and others allow no weights beyond. All of the body is trilinear in the corners, so
+/// that its shapes are exact. Normals follow small displacements.
+std::size_t addBody(const ExportedBody& body, std::optional<double> reach, GlbFile& glb);
 
 }  // namespace rotatebook::interchange

@@ -16,6 +16,7 @@ constexpr int kUnsigned8 = 5121, kUnsigned16 = 5123, kUnsigned32 = 5125, kFloat3
 constexpr int kNoTarget = 0, kVertices = 34962, kCorners = 34963;
 
 constexpr std::size_t kAlignment = 4;
+constexpr std::size_t kMostSmall = 65'535;  // Numbers in 16 bits; 65,535 would restart a strip.
 
 void align(std::string& bytes, char filler) {
   bytes.resize((bytes.size() + kAlignment - 1) / kAlignment * kAlignment, filler);
@@ -74,6 +75,47 @@ std::size_t GlbFile::addFloats(const std::vector<float>& numbers, std::size_t co
   return add("accessors", std::move(accessor));
 }
 
+std::array<std::size_t, 3> GlbFile::addAlongAxes(const std::vector<float>& numbers) {
+  constexpr std::size_t kColumns = 3, kRow = kColumns * sizeof(float);
+  // 0 0 x 0 0 x 0 0 ... x 0 0: rows that begin with the third number are along x, with the second
+  // along y, with the first along z
+  std::vector<float> all(kColumns * numbers.size() + 2, 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i) all[kColumns * i + 2] = numbers[i];
+  const std::size_t view = addView(bytesOf(all), kVertices);
+  json_["bufferViews"][view]["byteStride"] = kRow;
+  const auto [least, most] = std::ranges::minmax(numbers);
+  std::array<std::size_t, 3> accessors{};
+  for (std::size_t axis = 0; axis < kColumns; ++axis) {
+    std::array<float, 3> low{}, high{};
+    low.at(axis) = least;
+    high.at(axis) = most;
+    accessors.at(axis) = add("accessors", {{"bufferView", view},
+                                           {"byteOffset", sizeof(float) * (2 - axis)},
+                                           {"componentType", kFloat32},
+                                           {"count", numbers.size()},
+                                           {"type", "VEC3"},
+                                           {"min", low},
+                                           {"max", high}});
+  }
+  return accessors;
+}
+
+std::size_t GlbFile::addSparse(const std::vector<std::uint32_t>& places,
+                               const std::vector<float>& values, std::size_t rows) {
+  Json accessor{{"componentType", kFloat32}, {"count", rows}, {"type", "VEC3"}};
+  if (!places.empty()) {
+    const std::vector<std::uint16_t> small(places.begin(), places.end());
+    const bool isSmall = rows <= kMostSmall;
+    accessor["sparse"] = {
+        {"count", places.size()},
+        {"indices",
+         {{"bufferView", addView(isSmall ? bytesOf(small) : bytesOf(places), kNoTarget)},
+          {"componentType", isSmall ? kUnsigned16 : kUnsigned32}}},
+        {"values", {{"bufferView", addView(bytesOf(values), kNoTarget)}}}};
+  }
+  return add("accessors", std::move(accessor));
+}
+
 std::size_t GlbFile::addBytes(const std::array<std::uint8_t, 4>& row, std::size_t rows,
                               bool normalised) {
   std::vector<std::array<std::uint8_t, 4>> all(rows, row);
@@ -86,9 +128,8 @@ std::size_t GlbFile::addBytes(const std::array<std::uint8_t, 4>& row, std::size_
 }
 
 std::size_t GlbFile::addCorners(const std::vector<std::uint32_t>& corners, std::size_t vertices) {
-  constexpr std::size_t kMost = 65'535;  // 65,535 itself would restart a strip
   const std::vector<std::uint16_t> small(corners.begin(), corners.end());
-  const bool isSmall = vertices <= kMost;
+  const bool isSmall = vertices <= kMostSmall;
   return add("accessors",
              {{"bufferView", addView(isSmall ? bytesOf(small) : bytesOf(corners), kCorners)},
               {"componentType", isSmall ? kUnsigned16 : kUnsigned32},

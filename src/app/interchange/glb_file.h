@@ -34,6 +34,12 @@ class GlbFile {
   // Each returns the number of an accessor.
   /// Adds rows of so many 32-bit floats, 1, 2, 3 or 4.
   std::size_t addFloats(const std::vector<float>& numbers, std::size_t columns, Numbers use);
+  /// Adds the rows (x, 0, 0), (0, x, 0) and (0, 0, x), with x from a list: positions of vertices,
+  /// whose bytes the three accessors share.
+  std::array<std::size_t, 3> addAlongAxes(const std::vector<float>& numbers);
+  /// Adds `rows` of three floats, which are 0 but for those at `places`, in rising order.
+  std::size_t addSparse(const std::vector<std::uint32_t>& places, const std::vector<float>& values,
+                        std::size_t rows);
   /// Adds so many rows of the same four bytes, a vertex each.
   std::size_t addBytes(const std::array<std::uint8_t, 4>& row, std::size_t rows, bool normalised);
   /// Adds the corners of triangles, each below `vertices`.

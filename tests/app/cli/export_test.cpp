@@ -1,5 +1,7 @@
 // `rotatebook export`.
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "cli/program_test.h"
 
@@ -34,6 +36,37 @@ TEST_F(ExportCommand, ReplacesItsOwnFilesAlone) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.error, HasSubstr("tiny.glb exists, and isn't overwritten"));
   EXPECT_EQ(read("tiny.glb"), "glTF of another program");
+}
+
+TEST_F(ExportCommand, WritesUsdzByItsEnding) {
+  const ChildResult result = runWithoutGraphics({"export", "tiny.toml", "-o", "book.usdz"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, StartsWith("tiny: wrote book.usdz, "));
+  EXPECT_THAT(read("book.usdz"), StartsWith("PK"));
+  EXPECT_EQ(run({"export", "tiny.toml", "-o", "book.usdz"}).status, 0);
+  write("book.usdz", "PK of another program");
+  EXPECT_EQ(run({"export", "tiny.toml", "-o", "book.usdz"}).status, 2);
+  EXPECT_EQ(read("book.usdz"), "PK of another program");
+}
+
+TEST_F(ExportCommand, SaysOfABodyThatDeformsHowFarItsCornersAreOff) {
+  const std::vector<std::string> command{"export", "tiny.toml",
+                                         "-o",     "soft.glb",
+                                         "--set",  "simulation.model=particles",
+                                         "--set",  "simulation.stiffness=4"};
+  EXPECT_THAT(run(command).output, HasSubstr(" mm off at a corner between them\n"));
+}
+
+TEST_F(ExportCommand, PrintsJson) {
+  const ChildResult result = run({"export", "tiny.toml", "-o", "book.glb", "--json"});
+  const nlohmann::json object = nlohmann::json::parse(result.output);
+  EXPECT_EQ(object["file"], "book.glb");
+  EXPECT_EQ(object["bytes"], read("book.glb").size());
+  EXPECT_EQ(object["keys"], 12);
+  EXPECT_LT(object["error_deg"], 0.05);  // measured 0.030
+  EXPECT_TRUE(object["error_m"].is_null());
+  EXPECT_TRUE(object["panel"].is_null());
+  EXPECT_TRUE(object["notes"].empty());
 }
 
 TEST_F(ExportCommand, TakesAPanelByLabelOrNumber) {

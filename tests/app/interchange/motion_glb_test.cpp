@@ -1,9 +1,5 @@
 // The file is read back by the reader of meshes.
-#include "interchange/motion_glb.h"
-
 #include <algorithm>
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -14,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "body/glb_document.h"
-#include "body/glb_numbers.h"
 #include "body/mesh_readers.h"
+#include "interchange/motion_file.h"
+#include "interchange/played.h"
 #include "physics/simulate.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
@@ -25,81 +21,13 @@
 namespace rotatebook::interchange {
 namespace {
 
-using body::GlbDocument;
-using body::GlbNumbers;
 using Eigen::Quaterniond;
+using testing::documentOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// A throw as the starter's, of plain cloth, whose picture needn't be read.
-scene::Scene sceneOf(const std::string& more = "", const std::string& spin = "5.0") {
-  return scene::parseScene(R"(title = "Throw"
-book.color = "#2b5d8a"
-initial.angular_velocity = [)" +
-                               spin + R"(, 0.0, 0.0]
-initial.tilt = ["1 deg", "z"]
-simulation.model = "exact"
-)" + more,
-                           "throw.toml");
-}
-
-/// Returns the document of a file, of which the reader of meshes leaves out what isn't a mesh's.
-nlohmann::json documentOf(const std::string& glb) {
-  constexpr std::size_t kLengthAt = 12, kDocumentAt = 20;
-  std::uint32_t length = 0;
-  std::memcpy(&length, glb.data() + kLengthAt, sizeof length);
-  return nlohmann::json::parse(glb.substr(kDocumentAt, length));
-}
-
-/// The keys of an animation's channel, and what programs show between them.
-class Played {
- public:
-  Played(const std::string& glb, std::size_t channel) {
-    const nlohmann::json json = documentOf(glb);
-    const GlbDocument document(glb);
-    const auto& animation = json["animations"][0];
-    const auto& sampler = animation["samplers"][channel];
-    isCubic_ = sampler["interpolation"] == "CUBICSPLINE";
-    const auto& target = animation["channels"][channel]["target"];
-    path_ = target["path"].get<std::string>();
-    const GlbNumbers times(document, sampler["input"], {"SCALAR", 1});
-    for (std::size_t i = 0; i < times.count(); ++i) times_.push_back(times.at(i, 0));
-    const bool isTurning = path_ == "rotation";
-    const std::size_t columns = isTurning ? 4 : 3;
-    const GlbNumbers values(document, sampler["output"], {isTurning ? "VEC4" : "VEC3", columns});
-    for (std::size_t i = 0; i < values.count(); ++i) {
-      Eigen::Vector4d row = Eigen::Vector4d::Zero();
-      for (std::size_t k = 0; k < columns; ++k) row[static_cast<Eigen::Index>(k)] = values.at(i, k);
-      rows_.push_back(row);
-    }
-  }
-
-  const std::string& path() const { return path_; }
-  const std::vector<double>& times() const { return times_; }
-  /// Returns the value of a key.
-  const Eigen::Vector4d& key(std::size_t i) const { return rows_[isCubic_ ? 3 * i + 1 : i]; }
-
-  /// Returns the attitude at a time between the first key and the last, as glTF 2.0 has it
-  /// (appendix C).
-  Quaterniond attitudeAt(double time) const {
-    const auto next = std::upper_bound(times_.begin() + 1, times_.end() - 1, time);
-    const auto b = static_cast<std::size_t>(next - times_.begin()), a = b - 1;
-    const double d = times_[b] - times_[a], t = (time - times_[a]) / d;
-    if (!isCubic_) return Quaterniond(key(a)).slerp(t, Quaterniond(key(b)));
-    const double t2 = t * t, t3 = t2 * t;
-    return Quaterniond(Eigen::Vector4d((2 * t3 - 3 * t2 + 1) * key(a) +
-                                       d * (t3 - 2 * t2 + t) * rows_[3 * a + 2] +
-                                       (3 * t2 - 2 * t3) * key(b) + d * (t3 - t2) * rows_[3 * b]))
-        .normalized();
-  }
-
- private:
-  bool isCubic_ = false;
-  std::string path_;
-  std::vector<double> times_;
-  std::vector<Eigen::Vector4d> rows_;
-};
+using testing::Played;
+using testing::sceneOf;
 
 /// Returns the most that the animation is off the motion at 1,000 times of the video. [degrees]
 double errorOf(const scene::Scene& scene, const Played& played) {
@@ -117,8 +45,8 @@ double errorOf(const scene::Scene& scene, const Played& played) {
   return largest * 180 / std::numbers::pi;
 }
 
-double errorOf(const scene::Scene& scene, const GlbOptions& options) {
-  const MotionGlb glb = motionGlb(scene, 0, options);
+double errorOf(const scene::Scene& scene, const KeyOptions& options) {
+  const MotionFile glb = motionGlb(scene, 0, options);
   const double error = errorOf(scene, Played(glb.bytes, 0));
   // Times are rounded to 32 bits: measured 1.4e-4
   EXPECT_NEAR(error, glb.errorDeg, 0.05 * error + 2e-4);
@@ -140,6 +68,18 @@ TEST(MotionGlb, TakesMoreKeysForAFastSpin) {
   EXPECT_EQ(motionGlb(scene, 0, {}).keys, 957U);
 }
 
+// Whatever the keys are simulated with.
+TEST(MotionGlb, HasTheSameAttitudesAtTheSameTimes) {
+  const scene::Scene scene = sceneOf("clip.duration = 4\n", "20.0");
+  const Played few(motionGlb(scene, 0, {.keysPerSecond = 60}).bytes, 0);
+  const Played many(motionGlb(scene, 0, {}).bytes, 0);
+  ASSERT_EQ(many.times().size(), 957U);
+  for (std::size_t i = 0; i < few.times().size(); ++i) {
+    ASSERT_EQ(many.times()[4 * i], few.times()[i]);
+    ASSERT_EQ(many.key(4 * i), few.key(i)) << i;
+  }
+}
+
 // It holds, and passes from speed to speed.
 TEST(MotionGlb, GoesByTheClockOfTheVideo) {
   const scene::Scene scene = sceneOf(R"(clip.fps = 25
@@ -147,7 +87,7 @@ clip.speed = [{ from = 2, to = 4, value = 0.25 }, { from = 5, to = 6, value = 0 
 )");
   EXPECT_LT(errorOf(scene, {}), 0.04);                  // measured 0.030
   EXPECT_LT(errorOf(scene, {.tangents = true}), 2e-4);  // measured 1.4e-4
-  const MotionGlb glb = motionGlb(scene, 0, {});
+  const MotionFile glb = motionGlb(scene, 0, {});
   EXPECT_EQ(glb.keys, 718U);  // Up to the last of 300 frames, at 11.96 s
   EXPECT_NEAR(glb.seconds, 11.95, 1e-9);
 }
@@ -194,7 +134,7 @@ TEST(MotionGlb, IsSmallWithTheCover) {
 TEST(MotionGlb, SaysWhatItIsOf) {
   const scene::Scene scene = sceneOf();
   const std::string bytes = motionGlb(scene, 0, {}).bytes;
-  EXPECT_EQ(bytes.find(kGlbBeginning), 20U);
+  EXPECT_TRUE(isMotionFile(bytes));
   const nlohmann::json extras = documentOf(bytes)["asset"]["extras"];
   EXPECT_EQ(scene::parseScene(extras["scene"].get<std::string>(), "throw.toml").motions,
             scene.motions);
@@ -247,20 +187,10 @@ std::string refusalOf(const scene::Scene& scene) {
   return "accepted";
 }
 
-TEST(MotionGlb, IsRefusedWhereABodyDeformsOrThereAreManyMotions) {
+TEST(MotionGlb, IsRefusedWhereThereAreManyMotions) {
   EXPECT_EQ(refusalOf(sceneOf()), "accepted");
-  scene::Scene particles = sceneOf();
-  particles.motions.front().simulation.model = physics::Model::Particles;
-  EXPECT_THAT(refusalOf(particles), HasSubstr("deforms the body"));
   EXPECT_THAT(refusalOf(sceneOf("grid.columns = { key = \"body.mass\", values = [1, 2] }\n")),
               HasSubstr("grid has many"));
-  scene::Scene stretched = sceneOf();
-  physics::SimulationSettings& steps = stretched.motions.front().simulation;
-  steps.model = physics::Model::Matrix;
-  steps.integrator = physics::Integrator::Euler;
-  steps.normalizeEvery = 0;
-  steps.substeps = 10;
-  EXPECT_THAT(refusalOf(stretched), HasSubstr("stretch or shrink the body by up to"));
 }
 
 TEST(MotionGlb, SaysThatItsKeysAreTooFew) {

@@ -12,7 +12,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play test-play-node test-play-browsers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check type-check lint textures install deb portable clean
+.PHONY: help play test-play test-play-node test-play-browsers test-readers setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render bench bench-peers bench-physics bench-engines record-engines format-check type-check lint textures install deb portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -26,6 +26,7 @@ help:
 	@echo 'make test-play           run its tests: of the core in Node, of the page in browsers'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
+	@echo 'make test-readers        play what is exported in three.js, glTF Transform and Blender'
 	@echo 'make bench               measure frames a second by stage and end to end; two plots in $(OUT)/bench/'
 	@echo 'make bench-peers         install and run the programs that make bench compares with'
 	@echo 'make bench-physics       measure a step of each integrator'
@@ -85,6 +86,13 @@ test-play-node: play
 test-play-browsers: program play
 	@scripts/setup.sh play-test
 	tests/browser/player/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/play/play.html $(CURDIR)/build/play/browser $(BROWSERS)
+
+# What is exported, played by other programs; READERS=npm or blender: only those.
+READERS ?= npm blender
+test-readers: program
+	@scripts/setup.sh $(READERS)
+	@for readers in $(READERS); do \
+	  tests/app/interchange/readers/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/readers $$readers || exit 1; done
 
 PREFIX ?= /usr/local
 install: program

@@ -289,7 +289,8 @@ void addSubmitCommand(CLI::App& program, Action& action) {
   addJobOptions(command, arguments, slurm);
   arguments.sceneOptions.addTo(command);
   arguments.deviceOptions.addTo(command);
-  for (const char* name : {"--format", "--no-mp4", farm::kNoPng, "--device", "--require-hardware"})
+  for (const char* name :
+       {"--format", "--no-mp4", farm::kNoPng, "--size", "--device", "--require-hardware"})
     arguments.ofRender.push_back(command.get_option(name));
   command.footer(kSubmitFooter);
 }

@@ -96,6 +96,7 @@ Json mapJson(const MapTask& task) {
 
 std::vector<MapTask> readMapTasks(const MapArguments& arguments,
                                   const pipeline::MapOptions& options) {
+  arguments.sceneOptions.refuseSize("write a map's own, --set map.size=[WIDTH, HEIGHT]");
   const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
     scene::Scene scene = arguments.sceneOptions.read(path);
     requireMap(scene, path);

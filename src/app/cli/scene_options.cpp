@@ -180,6 +180,11 @@ void SceneOptions::addTo(CLI::App& command, bool draws) {
   addAllowOutside(command, allowOutside)->group(pictures);
 }
 
+void SceneOptions::refuseSize(const std::string& remedy) const {
+  if (size.empty()) return;
+  throw InputError("--size " + size + ": the size of clips, which changes nothing here; " + remedy);
+}
+
 std::vector<std::string> SceneOptions::words() const {
   std::vector<std::string> words;
   for (const std::string& assignment : overrides) words.insert(words.end(), {"--set", assignment});

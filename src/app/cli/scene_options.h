@@ -33,6 +33,8 @@ struct SceneOptions {
   /// Adds the options. Those of pictures are left out of the help of a command that `draws` none,
   /// but taken there, too, as scripts pass the same options to several commands.
   void addTo(CLI::App& command, bool draws = true);
+  /// Throws InputError that ends with `remedy` for --size, where what is drawn has another size.
+  void refuseSize(const std::string& remedy) const;
   /// Returns the words of a command line with these options, but for --scene-checksum.
   std::vector<std::string> words() const;
   /// Adds --scene-checksum.

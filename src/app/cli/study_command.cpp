@@ -202,6 +202,7 @@ std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
 
 /// Reads a scene; one without a study gets that of the orders of all its integrators.
 scene::Scene readStudied(const std::string& path, const StudyArguments& arguments) {
+  arguments.sceneOptions.refuseSize("plots have a size of their own: leave it out");
   std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   scene::Scene scene = arguments.sceneOptions.read(path, shorthands);
   if (scene.study) return scene;

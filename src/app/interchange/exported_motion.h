@@ -8,7 +8,6 @@
 #include "interchange/motion_file.h"
 #include "interchange/turning.h"
 #include "interchange/world_camera.h"
-#include "physics/sample.h"
 #include "scene/scene.h"
 
 namespace rotatebook::interchange {

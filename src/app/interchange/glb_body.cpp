@@ -1,7 +1,6 @@
 #include "interchange/glb_body.h"
 
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,7 +8,6 @@
 
 #include <Eigen/Core>
 
-#include "body/cuboid.h"
 #include "geometry/mesh.h"
 
 namespace rotatebook::interchange {

@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/command_tree.h"
+#include "farm/plan.h"
+#include "video/video_format.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -46,27 +48,65 @@ std::string optionNames(const CLI::App& command) {
   return joined(names, " ");
 }
 
-/// Returns whether the words of `command` are names of commands, not files.
-bool namesCommands(const CLI::App& command) {
-  return command.get_option_no_throw("COMMAND") != nullptr;
+/// Returns the words, with blanks between them, that the first argument of `command` may be: names
+/// of commands, or of work; empty if it is a file.
+std::string firstWords(const CLI::App& program, const CLI::App& command) {
+  if (command.get_option_no_throw("COMMAND") != nullptr) return joined(commandNames(program), " ");
+  if (command.get_option_no_throw("WORK") == nullptr) return "";
+  std::vector<std::string> works;
+  for (const farm::Work work : {farm::Work::Render, farm::Work::Map, farm::Work::Study})
+    works.emplace_back(nameOf(work));
+  return joined(works, " ");
+}
+
+/// Returns the values, with blanks between them, that an option may have, as the parser checks them
+/// or another list of the program names them; empty for others.
+std::string choicesOf(const CLI::Option& option) {
+  if (option.check_lname("format")) {
+    std::vector<std::string> formats;
+    for (const video::FormatRow& row : video::kFormatRows) formats.emplace_back(row.name);
+    return joined(formats, " ");
+  }
+  const std::string type = option.get_type_name();
+  const std::size_t begin = type.find('{'), end = type.find('}');
+  if (end == type.npos || begin > end) return "";
+  return CLI::detail::find_and_replace(type.substr(begin + 1, end - begin - 1), ",", " ");
+}
+
+/// Returns a line of a shell's `case` for each option of `command` that has choices.
+std::string choiceCases(const CLI::App& command) {
+  std::string cases;
+  for (const CLI::Option* option : optionsOf(command)) {
+    const std::string choices = choicesOf(*option);
+    if (choices.empty()) continue;
+    for (const std::string& name : namesOf(*option))
+      cases += fmt::format("    {}:{}) values='{}' ;;\n", command.get_name(), name, choices);
+  }
+  return cases;
 }
 
 std::string bashScript(const CLI::App& program) {
   const std::string names = joined(commandNames(program), " ");
   std::string cases = fmt::format("    \"\") words='{} {}' ;;\n", names, optionNames(program));
+  std::string values;
   for (const CLI::App* command : commandsOf(program)) {
+    const std::string words = firstWords(program, *command);
     cases += fmt::format("    {}) options='{}'{} ;;\n", command->get_name(), optionNames(*command),
-                         namesCommands(*command) ? " words='" + names + "'" : "");
+                         words.empty() ? "" : " words='" + words + "'");
+    values += choiceCases(*command);
   }
   return R"(_rotatebook() {
-  local word=${COMP_WORDS[COMP_CWORD]} command="" words="" options="" i
+  local word=${COMP_WORDS[COMP_CWORD]} command="" words="" options="" values="" i
   for ((i = 1; i < COMP_CWORD; ++i)); do
     [[ ${COMP_WORDS[i]} == -* ]] || { command=${COMP_WORDS[i]}; break; }
   done
   case $command in
 )" + cases +
-         R"(  esac
+         "  esac\n  ((i + 1 >= COMP_CWORD)) || words=\"\"\n"
+         "  case $command:${COMP_WORDS[COMP_CWORD - 1]} in\n" +
+         values + R"(  esac
   [[ $word != -* || -z $command ]] || words=$options
+  [[ -z $values ]] || words=$values
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
 }
 complete -o bashdefault -o default -F _rotatebook rotatebook
@@ -74,17 +114,21 @@ complete -o bashdefault -o default -F _rotatebook rotatebook
 }
 
 /// Returns the words by which _arguments of zsh knows the options of `command`, and files.
-std::string zshArguments(const CLI::App& command) {
+std::string zshArguments(const CLI::App& program, const CLI::App& command) {
   std::string text;
   for (const CLI::Option* option : optionsOf(command)) {
-    const std::string value = valueName(*option);
+    const std::string value = valueName(*option), choices = choicesOf(*option);
     for (const std::string& name : namesOf(*option)) {
       text += fmt::format(" \\\n      '*{}[{}]{}'", name,
                           summary(option->get_description(), "[]:\\", "'\\''"),
-                          value.empty() ? "" : ": :_files");
+                          value.empty()     ? ""
+                          : choices.empty() ? ": :_files"
+                                            : ": :(" + choices + ")");
     }
   }
-  return text + (namesCommands(command) ? " \\\n      '*: :($names)'" : " \\\n      '*: :_files'");
+  const std::string words = firstWords(program, command);
+  if (!words.empty()) text += fmt::format(" \\\n      '1: :({})'", words);
+  return text + " \\\n      '*: :_files'";
 }
 
 std::string zshScript(const CLI::App& program) {
@@ -92,10 +136,9 @@ std::string zshScript(const CLI::App& program) {
   for (const CLI::App* command : commandsOf(program)) {
     commands += fmt::format("    '{}:{}'\n", command->get_name(),
                             summary(command->get_description(), ":\\", "'\\''"));
-    cases += fmt::format("    {}) _arguments{} ;;\n", command->get_name(), zshArguments(*command));
+    cases += fmt::format("    {}) _arguments{} ;;\n", command->get_name(),
+                         zshArguments(program, *command));
   }
-  // The names of commands are expanded where an argument is one.
-  cases = CLI::detail::find_and_replace(cases, "$names", joined(commandNames(program), " "));
   return "#compdef rotatebook\n_rotatebook() {\n  local -a commands=(\n" + commands +
          "  )\n  if ((CURRENT == 2)); then\n    _describe command commands\n"
          "    compadd -- " +
@@ -111,8 +154,10 @@ std::string fishOption(const CLI::Option& option, const std::string& condition) 
   std::string names;
   for (const std::string& name : option.get_snames()) names += " -s " + name;
   for (const std::string& name : option.get_lnames()) names += " -l " + name;
-  return fmt::format("complete -c rotatebook -n '{}'{}{} -d '{}'\n", condition, names,
+  const std::string choices = choicesOf(option);
+  return fmt::format("complete -c rotatebook -n '{}'{}{}{} -d '{}'\n", condition, names,
                      valueName(option).empty() ? "" : " -r",
+                     choices.empty() ? "" : " -f -a '" + choices + "'",
                      summary(option.get_description(), "\\", "\\'"));
 }
 
@@ -125,10 +170,9 @@ std::string fishScript(const CLI::App& program) {
     text += fmt::format("complete -c rotatebook -n '{}' -f -a {} -d '{}'\n", kNone,
                         command->get_name(), summary(command->get_description(), "\\", "\\'"));
     for (const CLI::Option* option : optionsOf(*command)) text += fishOption(*option, chosen);
-    if (namesCommands(*command)) {
-      text += fmt::format("complete -c rotatebook -n '{}' -f -a '{}'\n", chosen,
-                          joined(commandNames(program), " "));
-    }
+    const std::string words = firstWords(program, *command);
+    if (!words.empty())
+      text += fmt::format("complete -c rotatebook -n '{}' -a '{}'\n", chosen, words);
   }
   return text;
 }

@@ -103,6 +103,9 @@ TEST_F(Manual, CompletionsHaveEachCommandAndOption) {
   const std::string bash = helpOf({"--completion", "bash"});
   const std::string zsh = helpOf({"--completion", "zsh"});
   const std::string fish = helpOf({"--completion", "fish"});
+  EXPECT_THAT(zsh, AllOf(HasSubstr("'1: :(render map study)'"), HasSubstr(": :(rad/s deg/s)'")));
+  EXPECT_THAT(fish, AllOf(HasSubstr("from submit' -a 'render map study'"),
+                          HasSubstr("-l rates -r -f -a 'rad/s deg/s'")));
   for (const auto& [command, options] : commands()) {
     SCOPED_TRACE(command);
     EXPECT_THAT(part(bash, "\"\") words='", ";;"), ContainsRegex("[' ]" + command + " "));
@@ -126,6 +129,10 @@ TEST_F(Manual, BashCompletes) {
   EXPECT_EQ(completed("rotatebook render --overw"), "--overwrite\n");
   EXPECT_EQ(completed("rotatebook -q render my.toml --no-p"), "--no-png\n");
   EXPECT_EQ(completed("rotatebook help doc"), "doctor\n");
+  EXPECT_EQ(completed("rotatebook submit ''"), "render map study\n");
+  EXPECT_EQ(completed("rotatebook submit render m"), "\n") << "a scene comes after the work";
+  EXPECT_EQ(completed("rotatebook render my.toml --format w"), "webm\n");
+  EXPECT_EQ(completed("rotatebook toss my.csv --rates d"), "deg/s\n");
   EXPECT_EQ(completed("rotatebook doctor --overw"), "\n");  // Another command's.
   EXPECT_EQ(completed("rotatebook render my"), "\n");       // Bash's own files follow.
 }

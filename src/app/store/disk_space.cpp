@@ -18,7 +18,7 @@ namespace {
 constexpr double kPower = 0.85;
 // Bytes a frame over pixels to that power, measured from 96x54 to 1280x720 on the starter scene; in
 // brackets on other scenes, with overlays and faster rotation. FormatRow::weight is that of videos.
-constexpr double kPngWeight = 4;  // measured 3.6 to 4.0, without a caption
+constexpr double kPngWeight = 3;  // measured 2.8 to 3.0, without a caption
 // Each letter of the caption adds, up to so many bytes: it fills more of a small picture, and makes
 // the book smaller on a large one.
 constexpr double kLetterWeight = 0.009;  // measured 0.001 to 0.0088

@@ -92,7 +92,7 @@ inline constexpr std::array kFormatRows{
         .keepsTransparency = false,
         .holdsRecord = true,
         .usesThreads = true,
-        .weight = 0.22,
+        .weight = 0.18,
         .encoder = {"libx264", "install a build with libx264 (Debian, Ubuntu: libavcodec-extra)"},
         .makeStages = makeMp4Stages,
         .recorded = {.profile = "High, yuv420p",

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/units.h"
 #include "physics/motion_settings.h"
@@ -48,6 +49,8 @@ struct ValueKinds {
 inline constexpr ValueKinds kTextKind{.text = true}, kNumberKind{.number = true},
     kNumberOrText{.text = true, .number = true}, kListKind{.list = true}, kTableKind{.table = true};
 
+struct KeyRow;
+
 /// The form of a key's value, with its limits.
 struct ValueForm {
   enum class Type {
@@ -66,6 +69,12 @@ struct ValueForm {
   std::span<const std::string_view> choices{};  ///< Of Type::Own: values are lists of them.
   bool hasWholeParts = false;                   ///< Of Type::Own: its numbers are integers.
   ValueKinds kinds{};  ///< Of Type::Own; of others, what they take besides.
+  /// Of Type::Own: returns the keys of a table, or of each in a list.
+  std::vector<KeyRow> (*members)() = nullptr;
+  const ValueForm* elements = nullptr;  ///< Of Type::Own: the form of each value in a list.
+  int count = 0;                        ///< Of `elements`; 0 for any number.
+  /// Of Type::Text: returns the regular expression of allowed texts.
+  std::string (*pattern)() = nullptr;
 
   bool isWhole() const { return type == Type::Integer || hasWholeParts; }
 };

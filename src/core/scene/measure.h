@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -71,6 +72,20 @@ constexpr const MeasureRow& rowOf(Measure measure) {
 /// Returns the name of `measure` in a scene.
 constexpr std::string_view nameOf(Measure measure) {
   return rowOf(measure).name;
+}
+
+/// The names of all measures, in the order of the rows.
+inline constexpr auto kMeasureNames = [] {
+  std::array<std::string_view, kMeasureRows.size()> names;
+  std::ranges::transform(kMeasureRows, names.begin(), &MeasureRow::name);
+  return names;
+}();
+static_assert(std::ranges::is_sorted(kMeasureRows, {}, &MeasureRow::sections));
+
+/// Returns the names of the measures that `sections` take, in the order of the rows.
+constexpr std::span<const std::string_view> measureNames(MeasureSections sections) {
+  const auto takes = [=](const MeasureRow& row) { return row.sections <= sections; };
+  return std::span(kMeasureNames).first(std::ranges::count_if(kMeasureRows, takes));
 }
 
 /// The measures that [expect] and [grid] take, in the order of the rows.

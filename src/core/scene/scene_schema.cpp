@@ -31,6 +31,18 @@ std::string plainText(std::string_view markdown) {
   return text;
 }
 
+/// Returns the units that numbers of a form may have: of its dimension, or any if texts are
+/// numbers, too.
+std::vector<std::string> unitsIn(const ValueForm& form) {
+  std::vector<std::string> units;
+  for (const Dimension dimension : {Dimension::Length, Dimension::Mass, Dimension::Time,
+                                    Dimension::Angle, Dimension::AngularVelocity}) {
+    if (form.dimension ? form.dimension != dimension : !form.kinds.text) continue;
+    for (const std::string_view unit : unitsOf(dimension)) units.emplace_back(unit);
+  }
+  return units;
+}
+
 /// Returns the schema of a number within the limits of a form; with a unit, of a string, too.
 Json numberSchema(const ValueForm& form) {
   Json number{{"type", "number"}};
@@ -39,9 +51,8 @@ Json numberSchema(const ValueForm& form) {
   };
   if (isLimit(form.min)) number["minimum"] = form.min;
   if (isLimit(form.max)) number["maximum"] = form.max;
-  if (!form.dimension) return number;
-  std::vector<std::string> units;
-  for (const std::string_view unit : unitsOf(*form.dimension)) units.emplace_back(unit);
+  const std::vector<std::string> units = unitsIn(form);
+  if (units.empty()) return number;
   const std::string pattern =
       R"(^\s*[-+]?[0-9.]+([eE][-+]?[0-9]+)?\s*()" + joined(units, "|") + R"()\s*$)";
   return {{"anyOf", Json::array({number, {{"type", "string"}, {"pattern", pattern}}})}};
@@ -57,6 +68,43 @@ Json typesOf(const ValueKinds& kinds) {
   return types;
 }
 
+Json textSchema(const ValueForm& form) {
+  Json schema{{"type", "string"}, {"maxLength", static_cast<int>(form.max)}};
+  if (form.pattern != nullptr) schema["pattern"] = form.pattern();
+  return schema;
+}
+
+void addKey(Json& schema, std::string_view name, const KeyRow& row);
+Json formSchema(const ValueForm& form);
+
+Json tableSchema(const ValueForm& form) {
+  Json schema{{"type", "object"}};
+  if (form.members == nullptr) return schema;
+  for (const KeyRow& row : form.members()) addKey(schema, row.name, row);
+  return schema;
+}
+
+Json listSchema(const ValueForm& form) {
+  Json schema{{"type", "array"}};
+  if (form.elements != nullptr) schema["items"] = formSchema(*form.elements);
+  if (form.members != nullptr) schema["items"] = tableSchema(form);
+  if (!form.choices.empty()) schema["items"] = {{"enum", form.choices}};
+  if (form.count > 0) schema["minItems"] = schema["maxItems"] = form.count;
+  return schema;
+}
+
+/// Returns the schema of a form of its own: of a table, of a list, or of other types.
+Json ownSchema(const ValueForm& form) {
+  Json all = Json::array();
+  if (form.kinds.table) all.push_back(tableSchema(form));
+  if (form.kinds.list) all.push_back(listSchema(form));
+  ValueKinds others = form.kinds;
+  others.table = others.list = false;
+  if (const Json types = typesOf(others); !types.empty()) all.push_back({{"type", types}});
+  if (all.empty()) return Json::object();
+  return all.size() == 1 ? all.front() : Json{{"anyOf", all}};
+}
+
 Json formSchema(const ValueForm& form) {
   switch (form.type) {
     case ValueForm::Type::Integer:
@@ -68,24 +116,30 @@ Json formSchema(const ValueForm& form) {
     case ValueForm::Type::Vector:
       return {{"type", "array"}, {"items", numberSchema(form)}, {"minItems", 3}, {"maxItems", 3}};
     case ValueForm::Type::Text:
-      return {{"type", "string"}, {"maxLength", static_cast<int>(form.max)}};
+      return textSchema(form);
     case ValueForm::Type::Choice:
       return {{"enum", form.choices}};
     case ValueForm::Type::Own:
       break;
   }
-  Json schema{{"type", typesOf(form.kinds)}};
-  if (!form.choices.empty()) schema["items"] = {{"enum", form.choices}};
-  return schema;
+  return ownSchema(form);
+}
+
+/// Returns what is known of a key, on a line each.
+std::string descriptionOf(const KeyRow& row) {
+  std::vector<std::string> lines;
+  if (!row.meaning.empty()) lines.push_back(row.meaning);
+  if (!row.allowed.empty()) lines.push_back("Value: " + row.allowed);
+  if (row.byDefault.size() > 2) lines.push_back("Default: " + row.byDefault);
+  return plainText(joined(lines, "\n"));
 }
 
 Json keySchema(const KeyRow& row) {
   Json schema = formSchema(row.form);
   const Json others = typesOf(row.form.kinds);
-  if (row.form.type != ValueForm::Type::Own && !others.empty())
+  if (row.form.type == ValueForm::Type::Vector && !others.empty())
     schema = {{"anyOf", Json::array({schema, {{"type", others}}})}};
-  schema["description"] =
-      plainText(row.meaning + "\nValue: " + row.allowed + "\nDefault: " + row.byDefault);
+  schema["description"] = descriptionOf(row);
   if (row.value.empty()) return schema;
   if (const auto value = document::parseTomlValue(row.value, row.name))
     schema["default"] = Json::parse(document::jsonOf(*value));

@@ -118,6 +118,109 @@ TEST(SceneSchema, RefusesSlips) {
   EXPECT_THAT(problemsOfScene("[map]\nmeasure = 'half_turns'"), SizeIs(2));  // x and y
 }
 
+TEST(SceneSchema, RefusesSlipsInAxes) {
+  const auto inColumns = [](const std::string& axis) {
+    return problemsOfScene("grid.columns = { key = 'simulation.substeps', " + axis + " }");
+  };
+  EXPECT_THAT(inColumns("values = [1, 10]"), IsEmpty());
+  EXPECT_THAT(inColumns("values = ['a', true, { label = 'b', value = [4, 0, 0] }]"), IsEmpty());
+  EXPECT_THAT(inColumns("from = 1, to = 9, count = 3, scale = 'log'"), IsEmpty());
+  EXPECT_THAT(inColumns("value = [1, 10]"), ElementsAre(".grid.columns.value: no such key"));
+  EXPECT_THAT(inColumns("values = 10"), ElementsAre(".grid.columns.values: type"));
+  EXPECT_THAT(inColumns("values = [[1]]"), ElementsAre(".grid.columns.values.0: anyOf"));
+  EXPECT_THAT(inColumns("values = [{ label = 'b' }]"),
+              ElementsAre(".grid.columns.values.0: anyOf"));
+  EXPECT_THAT(inColumns("scale = 'logarithmic'"), ElementsAre(".grid.columns.scale: enum"));
+  EXPECT_THAT(inColumns("from = '1 rpm', to = '2 deg'"), IsEmpty());
+  EXPECT_THAT(inColumns("from = 'one'"), ElementsAre(".grid.columns.from: anyOf"));
+  EXPECT_THAT(inColumns("count = 1"), ElementsAre(".grid.columns.count: minimum"));
+  EXPECT_THAT(problemsOfScene("study.x = { values = [1] }"), ElementsAre(".study.x: required"));
+  EXPECT_THAT(problemsOfScene("study.curves.key = 3"), ElementsAre(".study.curves.key: type"));
+}
+
+TEST(SceneSchema, RefusesAxesOfNoKey) {
+  const auto hasKey = [](const std::string& axis, const std::string& key) {
+    const Problems problems = problemsOfScene(axis + ".key = '" + key + "'");
+    return std::ranges::count(problems, "." + axis + ".key: pattern") == 0;
+  };
+  for (const char* key : {"simulation.substeps", "initial.tilt.0", "nudge.0.at", "body.size.2",
+                          "body.part.1.density", "body.dimensions.radius"}) {
+    EXPECT_TRUE(hasKey("study.x", key)) << key;
+    EXPECT_TRUE(hasKey("map.x", key)) << key;
+  }
+  for (const char* key : {"simulation.substep", "simulation", "substeps", "clip.fps", "map.size",
+                          "nudge.at", "simulation-substeps"}) {
+    EXPECT_FALSE(hasKey("study.x", key)) << key;
+    EXPECT_FALSE(hasKey("map.x", key)) << key;
+  }
+  for (const char* key : {"time", "spin.longitude", "moments.middle"}) {
+    EXPECT_FALSE(hasKey("study.x", key)) << key;
+    EXPECT_TRUE(hasKey("map.x", key)) << key;
+  }
+}
+
+TEST(SceneSchema, RefusesSlipsInStudiesAndMaps) {
+  const std::string map =
+      "[map]\nx = { key = 'time', from = 0, to = '1 min' }\n"
+      "y = { key = 'initial.tilt.0', from = '1 deg', to = 2 }\n";
+  EXPECT_THAT(problemsOfScene(map + "measure = 'growth'"), IsEmpty());
+  EXPECT_THAT(problemsOfScene(map + "measure = 'order'"), ElementsAre(".map.measure: enum"));
+  EXPECT_THAT(problemsOfScene("study.measure = ['order']"), IsEmpty());
+  EXPECT_THAT(problemsOfScene("study.measure = ['half_turn']"),
+              ElementsAre(".study.measure.0: enum"));
+  const auto inMap = [&](const std::string& lines) {
+    return problemsOfScene(map + "measure = 'growth'\n" + lines);
+  };
+  EXPECT_THAT(problemsOfScene("map.x = { key = 'time', from = 0 }"),
+              ElementsAre(".map: required", ".map: required", ".map.x: required"));
+  EXPECT_THAT(inMap("colors.palete = 'gray'"), ElementsAre(".map.colors.palete: no such key"));
+  EXPECT_THAT(inMap("colors.palette = 'grey'"), ElementsAre(".map.colors.palette: enum"));
+  EXPECT_THAT(inMap("colors.contours = ['a']"), ElementsAre(".map.colors.contours.0: type"));
+  EXPECT_THAT(inMap("marks = [{ at = [1] }]"), SizeIs(2));  // A number, and the label
+  EXPECT_THAT(inMap("marks = [{ at = [1, 2], label = 'a' }]"), IsEmpty());
+  EXPECT_THAT(inMap("film = { x = [1, 2], duration = '10 m' }"),
+              ElementsAre(".map.film.duration: anyOf"));
+  EXPECT_THAT(inMap("size = [960.5, 540]"), ElementsAre(".map.size.0: type"));
+}
+
+TEST(SceneSchema, RefusesSlipsInExpectations) {
+  EXPECT_THAT(problemsOfScene("expect.half_turns = [{ min = 1 }, { rises_to = 2, from = '3 s' }]"),
+              IsEmpty());
+  EXPECT_THAT(problemsOfScene("expect.half_turn = { min = 1 }"),
+              ElementsAre(".expect.half_turn: no such key"));
+  EXPECT_THAT(problemsOfScene("expect.growth = { min = 1 }"),
+              ElementsAre(".expect.growth: no such key"));
+  for (const char* bounds : {"{ min = '1' }", "{ minimum = 1 }", "[{ max = 'a' }]", "1"}) {
+    EXPECT_THAT(problemsOfScene(std::string("expect.half_turns = ") + bounds),
+                ElementsAre(".expect.half_turns: anyOf"));
+    EXPECT_THAT(problemsOfScene(std::string("[[panel]]\nexpect.half_turns = ") + bounds),
+                ElementsAre(".panel.0: required", ".panel.0.expect.half_turns: anyOf"));
+  }
+  const auto inSection = [](const std::string& section, const std::string& keys) {
+    return problemsOfScene(section + ".expect = [{ " + keys + " }]");
+  };
+  EXPECT_THAT(inSection("grid", "of = 'stretch', column = 10, row = 'a', from = 3, max = 2"),
+              IsEmpty());
+  EXPECT_THAT(inSection("grid", "of = 'growth'"), ElementsAre(".grid.expect.0.of: enum"));
+  EXPECT_THAT(inSection("grid", "min = 3"), ElementsAre(".grid.expect.0: required"));
+  EXPECT_THAT(inSection("study", "of = 'order', x = 10, curve = true, min = 3"), IsEmpty());
+  EXPECT_THAT(inSection("study", "of = 'order', column = 10"),
+              ElementsAre(".study.expect.0.column: no such key"));
+  EXPECT_THAT(inSection("study", "of = 'order', rises_to = 10"),
+              ElementsAre(".study.expect.0.rises_to: no such key"));
+  EXPECT_THAT(inSection("study", "of = 'order', min = '1'"),
+              ElementsAre(".study.expect.0.min: type"));
+}
+
+TEST(SceneSchema, RefusesSlipsInOtherTables) {
+  EXPECT_THAT(problemsOfScene("simulation.normalize = { every = 10 }"), IsEmpty());
+  EXPECT_THAT(problemsOfScene("simulation.normalize = { ever = 10 }"),
+              ElementsAre(".simulation.normalize: anyOf"));
+  EXPECT_THAT(problemsOfScene("[[cue]]\nat = 1\nmove = { orbits = 1 }"),
+              ElementsAre(".cue.0.move.orbits: no such key"));
+  EXPECT_THAT(problemsOfScene("clip.size = [640, 360, 16]"), ElementsAre(".clip.size: maxItems"));
+}
+
 /// Returns the schema of the key: "nudge.N.at".
 const Json& schemaOf(const Json& schema, const std::string& key) {
   const Json* found = &schema;

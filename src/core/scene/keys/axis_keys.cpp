@@ -5,10 +5,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <optional>
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "scene/key_rows.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -32,16 +34,59 @@ bool isText(const ValueReader& value) {
   return std::holds_alternative<std::string>(value.node().value);
 }
 
+/// Returns a regular expression of keys and their parts; `N` is the number of a table.
+std::string patternOf(const std::vector<std::string_view>& keys) {
+  std::string pattern = "^(";
+  for (const char letter : joined({keys.begin(), keys.end()}, "|"))
+    pattern += letter == '.' ? "[.]" : letter == 'N' ? "[0-9]+" : std::string(1, letter);
+  return pattern + ")([.][a-z0-9_]+)?$";
+}
+
+std::vector<std::string_view> variableKeys() {
+  std::vector<std::string_view> names;
+  for (const KeyRow& row : allKeys())
+    if (row.mayVary) names.push_back(row.name);
+  return names;
+}
+
+std::string valueKeyPattern() {
+  return patternOf(variableKeys());
+}
+
+std::string pixelKeyPattern() {
+  auto names = variableKeys();
+  std::ranges::copy(namesOf(kAxisKinds), std::back_inserter(names));
+  return patternOf(names);
+}
+
+/// Numbers, or with the unit of the axis's key.
+constexpr ValueForm kEndForm = [] {
+  ValueForm form = formOf(ValueForm::Type::Number, kNumber);
+  form.kinds = kTextKind;
+  return form;
+}();
+
 /// Keys of an axis that is a range.
 Keys<Axis> rangeKeys() {
   static constexpr std::array keys{
-      text<&Axis::key>("key", kLongestPath),
-      number<&Axis::from>("from", kNumber),
-      number<&Axis::to>("to", kNumber),
+      key<&Axis::key, textFrom, tomlString>(
+          "key", {.type = ValueForm::Type::Text, .max = kLongestPath, .pattern = valueKeyPattern},
+          {.meaning = "what varies", .byDefault = "required"}),
+      key<&Axis::from, numberFrom, tomlNumber>("from", kEndForm),
+      key<&Axis::to, numberFrom, tomlNumber>("to", kEndForm),
       choice<&Axis::scale, kScales>("scale"),
       key<&Axis::label, textFrom, optionalText>("label", textForm(kLongestLabel)),
   };
   return keys;
+}
+
+/// Returns the rows of rangeKeys(); its ends have no defaults.
+std::vector<KeyRow> rangeRows() {
+  std::vector<KeyRow> rows = membersOf<rangeKeys>();
+  for (KeyRow& row : rows) {
+    if (row.form.type == ValueForm::Type::Number) row.byDefault = row.value = "";
+  }
+  return rows;
 }
 
 /// Returns the dimension of the axis's key, if there is one.
@@ -112,6 +157,12 @@ std::vector<TomlNode> nodesOf(const ValueReader& table, const Axis& range, int c
   return nodes;
 }
 
+/// Returns the rows of what labelled() reads.
+std::vector<KeyRow> labelledRows() {
+  constexpr KeyText kRequired{.byDefault = "required"};
+  return {rowOf("label", kRequired, kLabelForm, ""), rowOf("value", kRequired, {}, "")};
+}
+
 AxisValue labelled(const ValueReader& table) {
   AxisValue stated;
   table.readTable({{"label", [&](const ValueReader& label) { stated.label = labelOf(label); }},
@@ -179,6 +230,17 @@ Axis valueAxisFrom(const ValueReader& table) {
   return axis;
 }
 
+std::vector<KeyRow> valueAxisRows() {
+  static constexpr ValueForm kValueForm{
+      .kinds = {.text = true, .number = true, .flag = true, .table = true},
+      .members = labelledRows};
+  std::vector<KeyRow> rows = rangeRows();
+  rows.push_back(rowOf("values", {}, listForm(kExpectedValues, kValueForm), ""));
+  rows.push_back(rowOf("count", {.meaning = "of values between from and to"},
+                       integerForm(2, static_cast<int>(kMaxRuns)), ""));
+  return rows;
+}
+
 std::string valueAxisText(const Axis& axis) {
   return "{ key = " + tomlString(axis.key) +
          ", values = " + listText(axis.values, [](const AxisValue& value) { return value.toml; }) +
@@ -193,6 +255,15 @@ Axis pixelAxisFrom(const ValueReader& table) {
   if (special != kAxisKinds.end()) axis.kind = special->value;
   checkRange(table, axis);
   return axis;
+}
+
+std::vector<KeyRow> pixelAxisRows() {
+  std::vector<KeyRow> rows = rangeRows();
+  for (KeyRow& row : rows) {
+    if (row.name == "key") row.form.pattern = pixelKeyPattern;
+    if (row.form.type == ValueForm::Type::Number) row.byDefault = "required";
+  }
+  return rows;
 }
 
 std::string pixelAxisText(const Axis& axis) {

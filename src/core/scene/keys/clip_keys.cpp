@@ -23,6 +23,7 @@ constexpr int kSmallestPicture = 16;
 constexpr const char* kPictureSizes = "a width and a height, such as [1280, 720]";
 constexpr const char* kFrameRates =
     "a frame rate from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
+constexpr ValueForm kSideForm = integerForm(kSmallestPicture, kMaxPictureSide);
 constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
@@ -156,7 +157,7 @@ std::string speedText(const PlaybackSpeed& speed) {
 Keys<ClipSettings> clipKeys() {
   static constexpr std::array keys{
       keyOf<ClipSettings, readPictureSize, pictureSizeText>(
-          "size", ownForm(kListKind, kPictureSizes),
+          "size", listForm(kPictureSizes, kSideForm, 2),
           {.comment = "pixels, width and height, even",
            .meaning = "each even, 16 to 16384",
            .unit = "pixels",

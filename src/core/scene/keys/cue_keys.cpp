@@ -43,8 +43,8 @@ Keys<Cue> cueKeys() {
                                                  {.meaning = "name of the chapter that begins",
                                                   .byDefault = "none begins",
                                                   .affects = Affects::Text}),
-      own<&Cue::move, moveFrom, moveText>(
-          "move", kTableKind, kExpectedMove,
+      key<&Cue::move, moveFrom, moveText>(
+          "move", tableForm(kTableKind, kExpectedMove, membersOf<cameraMoveKeys>),
           {.meaning = "a move of the camera that begins, see [moves](#moves-of-the-camera)",
            .byDefault = "none",
            .affects = Affects::Picture}),

@@ -53,6 +53,11 @@ void checkWindowed(const ValueReader& bounds, const Expectation& expectation) {
   checkOrder(bounds, "from", expectation.from, "to", expectation.to);
 }
 
+template <bool kHaveWindows>
+Keys<Expectation> boundKeysWith() {
+  return boundKeysOf(kHaveWindows);
+}
+
 template <Measure kMeasure>
 void readBounds(const ValueReader& value, std::vector<Expectation>& expectations) {
   readEach(value.tables(kExpectedBounds), [&](const ValueReader& bounds) {
@@ -77,7 +82,8 @@ std::string boundsText(const std::vector<Expectation>& expectations) {
 template <Measure kMeasure>
 constexpr auto measureKey() {
   return keyOf<std::vector<Expectation>, readBounds<kMeasure>, boundsText<kMeasure>>(
-      nameOf(kMeasure), ownForm({.list = true, .table = true}, kExpectedBounds),
+      nameOf(kMeasure),
+      tableForm({.list = true, .table = true}, kExpectedBounds, membersOf<boundKeysWith<true>>),
       {.meaning = rowOf(kMeasure).meaning, .byDefault = "none", .affects = Affects::Text});
 }
 
@@ -130,14 +136,16 @@ Keys<std::vector<Expectation>> expectKeys() {
 }
 
 Measure measureFrom(const ValueReader& value, MeasureSections sections) {
-  std::vector<std::string_view> names;
-  std::vector<Measure> measures;
-  for (const MeasureRow& row : kMeasureRows) {
-    if (row.sections > sections) continue;
-    names.push_back(row.name);
-    measures.push_back(row.measure);
-  }
-  return measures[value.choice(names)];
+  return static_cast<Measure>(value.choice(measureNames(sections)));
+}
+
+std::vector<KeyRow> PlacedExpectations::rows() const {
+  std::vector<KeyRow> rows = rowsOf("", boundKeysOf(haveWindows));
+  rows.push_back(rowOf("of", {.meaning = "the measure", .byDefault = "required"},
+                       {.type = ValueForm::Type::Choice, .choices = measureNames(measures)}, ""));
+  for (const PlaceKeys& key : keys)
+    rows.push_back(rowOf(key.place, {.meaning = "a value of the axis"}, kLabelForm, ""));
+  return rows;
 }
 
 std::vector<Expectation> PlacedExpectations::read(const ValueReader& value) const {

@@ -8,6 +8,7 @@
 
 #include "scene/axis.h"
 #include "scene/expectation.h"
+#include "scene/keys/axis_keys.h"
 #include "scene/keys/kinds.h"
 
 namespace rotatebook::scene {
@@ -31,6 +32,8 @@ struct PlacedExpectations {
   MeasureSections measures;
   const char* expected;  ///< In messages: "tables such as ...".
 
+  /// Returns the rows of an expectation's keys.
+  std::vector<KeyRow> rows() const;
   /// Reads a list of expectations. Throws InputError.
   std::vector<Expectation> read(const ValueReader& value) const;
   std::string text(const std::vector<Expectation>& all) const;
@@ -54,14 +57,18 @@ std::vector<Expectation> placedFrom(const ValueReader& value) {
   return kPlaced.read(value);
 }
 template <const PlacedExpectations& kPlaced>
+std::vector<KeyRow> placedRows() {
+  return kPlaced.rows();
+}
+template <const PlacedExpectations& kPlaced>
 std::string placedText(const std::vector<Expectation>& all) {
   return kPlaced.text(all);
 }
 
 template <auto kMember, const PlacedExpectations& kPlaced>
 constexpr auto placedExpectations(std::string_view name, const KeyText& documentation) {
-  return own<kMember, placedFrom<kPlaced>, placedText<kPlaced>>(name, kListKind, kPlaced.expected,
-                                                                documentation);
+  return key<kMember, placedFrom<kPlaced>, placedText<kPlaced>>(
+      name, tableForm(kListKind, kPlaced.expected, placedRows<kPlaced>), documentation);
 }
 
 /// Keys of bounds on a number.

@@ -170,4 +170,10 @@ std::vector<KeyRow> rowsOf(std::string_view section, Keys<S> keys) {
   return rows;
 }
 
+/// Returns the rows of the keys of a table that is a value.
+template <auto kKeys>
+std::vector<KeyRow> membersOf() {
+  return rowsOf("", kKeys());
+}
+
 }  // namespace rotatebook::scene

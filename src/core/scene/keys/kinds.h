@@ -107,6 +107,17 @@ constexpr ValueForm ownForm(ValueKinds kinds, std::string_view expected) {
   return {.expected = expected, .kinds = kinds};
 }
 
+/// Returns the form of tables, or of lists of them, whose keys `members` returns.
+constexpr ValueForm tableForm(ValueKinds kinds, std::string_view expected,
+                              std::vector<KeyRow> (*members)()) {
+  return {.expected = expected, .kinds = kinds, .members = members};
+}
+
+/// Returns the form of lists of `count` values of the form `elements`; 0 for any number of them.
+constexpr ValueForm listForm(std::string_view expected, const ValueForm& elements, int count = 0) {
+  return {.expected = expected, .kinds = kListKind, .elements = &elements, .count = count};
+}
+
 /// Returns the row of a key whose values have a form of their own.
 template <auto kMember, auto kRead, auto kText, auto kPart = nullptr>
 constexpr auto own(std::string_view name, ValueKinds kinds, std::string_view expected,

@@ -1,6 +1,7 @@
 // The keys of [map]: which runs to make, and how they are drawn.
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ constexpr std::array<Named<Of>, 5> kOfs{{{"smallest", Of::Smallest},
                                          {"mean", Of::Mean},
                                          {"share", Of::Share},
                                          {"value", Of::Value}}};
+constexpr ValueForm kNumberForm = formOf(ValueForm::Type::Number, kNumber);
+constexpr ValueForm kMomentForm = formOf(ValueForm::Type::Number, kPositive);
+constexpr ValueForm kSideForm = integerForm(kMinSide, kMaxMapSide);
+
 void readSize(const ValueReader& value, MapSettings& map) {
   const auto sides = value.elements(2, kExpectedSize);
   std::vector<int> read;
@@ -94,8 +99,8 @@ Keys<MapColours> colourKeys() {
       choice<&MapColours::scale, kScales>("scale"),
       number<&MapColours::from>("from", kNumber),
       number<&MapColours::to>("to", kNumber),
-      own<&MapColours::contours, contoursFrom, numbersIfAny>("contours", kListKind,
-                                                             kExpectedContours),
+      key<&MapColours::contours, contoursFrom, numbersIfAny>(
+          "contours", listForm(kExpectedContours, kNumberForm)),
   };
   return keys;
 }
@@ -132,8 +137,8 @@ std::vector<double> pointFrom(const ValueReader& value) {
 
 Keys<MapFilm> filmKeys() {
   static constexpr std::array keys{
-      own<&MapFilm::x, endsFrom, numbersIfAny>("x", kListKind, kExpectedEnds),
-      own<&MapFilm::y, endsFrom, numbersIfAny>("y", kListKind, kExpectedEnds),
+      key<&MapFilm::x, endsFrom, numbersIfAny>("x", listForm(kExpectedEnds, kNumberForm, 2)),
+      key<&MapFilm::y, endsFrom, numbersIfAny>("y", listForm(kExpectedEnds, kNumberForm, 2)),
       number<&MapFilm::duration>("duration", kFilmTimes),
   };
   return keys;
@@ -149,20 +154,34 @@ std::string filmText(const MapFilm& one) {
   return inlineTable(filmKeys(), one);
 }
 
+void readPlace(const ValueReader& value, MapMark& mark) {
+  const auto point = pointFrom(value);
+  mark.x = point[0];
+  mark.y = point[1];
+}
+
+std::string placeText(const MapMark& mark) {
+  return mark.moments ? "" : numbersText({mark.x, mark.y});
+}
+
+std::vector<double> momentsFrom(const ValueReader& value) {
+  return numbersFrom(value, 3, kExpectedMoments, kPositive);
+}
+
+Keys<MapMark> markKeys() {
+  static constexpr std::array keys{
+      keyOf<MapMark, readPlace, placeText>("at", listForm(kExpectedPoint, kNumberForm, 2),
+                                           {.byDefault = "none"}),
+      key<&MapMark::moments, momentsFrom, numbersText>("moments",
+                                                       listForm(kExpectedMoments, kMomentForm, 3)),
+      text<&MapMark::label>("label", kLongestLabel, {.byDefault = "required"}),
+  };
+  return keys;
+}
+
 MapMark markFrom(const ValueReader& table) {
   MapMark mark;
-  table.readTable(
-      {{"at",
-        [&](const ValueReader& value) {
-          const auto point = pointFrom(value);
-          mark.x = point[0];
-          mark.y = point[1];
-        }},
-       {"moments",
-        [&](const ValueReader& value) {
-          mark.moments = numbersFrom(value, 3, kExpectedMoments, kPositive);
-        }},
-       {"label", [&](const ValueReader& value) { mark.label = value.text(kLongestLabel); }}});
+  readKeys(table, markKeys(), mark);
   if (!table.find("label")) table.fail(table.name() + " needs a label");
   if (table.find("at").has_value() == mark.moments.has_value()) {
     table.fail(table.name() + " needs either at, a point, or moments, whose ratios are one");
@@ -171,9 +190,7 @@ MapMark markFrom(const ValueReader& table) {
 }
 
 std::string markText(const MapMark& mark) {
-  const std::string place = mark.moments ? "moments = " + numbersText(*mark.moments)
-                                         : "at = " + numbersText({mark.x, mark.y});
-  return "{ " + place + ", label = " + tomlString(mark.label) + " }";
+  return inlineTable(markKeys(), mark);
 }
 
 std::vector<MapMark> marksFrom(const ValueReader& value) {
@@ -189,14 +206,21 @@ std::string marksText(const std::vector<MapMark>& all) {
 
 Keys<MapExpectation> expectationKeys() {
   static constexpr std::array keys{
-      choice<&MapExpectation::of, kOfs>("of"),
+      choice<&MapExpectation::of, kOfs>("of", {.byDefault = "required"}),
       choice<&MapExpectation::outcome, kOutcomes>("outcome"),
       number<&MapExpectation::over>("over", kNumber),
       number<&MapExpectation::under>("under", kNumber),
-      own<&MapExpectation::at, pointFrom, numbersText>("at", kListKind, kExpectedPoint),
+      key<&MapExpectation::at, pointFrom, numbersText>("at",
+                                                       listForm(kExpectedPoint, kNumberForm, 2)),
       text<&MapExpectation::panel>("panel", kLongestLabel),
   };
   return keys;
+}
+
+std::vector<KeyRow> mapExpectationRows() {
+  std::vector<KeyRow> rows = membersOf<expectationKeys>();
+  std::ranges::move(membersOf<boundKeys>(), std::back_inserter(rows));
+  return rows;
 }
 
 MapExpectation mapExpectationFrom(const ValueReader& table) {
@@ -251,14 +275,17 @@ Keys<MapSettings> mapKeys() {
           "x", {.meaning = "the axis across, see [axes](vary.md#axes)", .byDefault = "required"}),
       pixelAxis<&MapSettings::y>("y",
                                  {.meaning = "the axis up, likewise", .byDefault = "required"}),
-      own<&MapSettings::measure, mapMeasureFrom, measureText>(
-          "measure", kTextKind, "a quantity, such as \"half_turns\"",
-          {.meaning = "what the colours show, see [maps](map.md#measures)",
-           .byDefault = "required"}),
+      key<&MapSettings::measure, mapMeasureFrom, measureText>(
+          "measure",
+          {.type = ValueForm::Type::Choice, .choices = measureNames(MeasureSections::Runs)},
+          {.comment = "what the colours show",
+           .meaning = "what the colours show, see [maps](map.md#measures)",
+           .byDefault = "required",
+           .allowed = "a quantity, such as \"half_turns\""}),
       choice<&MapSettings::moment, kMapMoments>(
           "moment", {.meaning = "at the end of each motion, or the largest value on the way"}),
       keyOf<MapSettings, readSize, mapSizeText>(
-          "size", ownForm(kListKind, kExpectedSize),
+          "size", listForm(kExpectedSize, kSideForm, 2),
           {.comment = "runs, each a pixel",
            .meaning = "runs across and up, each a pixel, up to 16384 a side"}),
       number<&MapSettings::duration>("duration", kMapTimes,
@@ -270,25 +297,25 @@ Keys<MapSettings> mapKeys() {
           {.comment = "s from look to look",
            .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),
-      own<&MapSettings::colours, coloursFrom, coloursText>(
-          "colors", kTableKind, kExpectedColours,
+      key<&MapSettings::colours, coloursFrom, coloursText>(
+          "colors", tableForm(kTableKind, kExpectedColours, membersOf<colourKeys>),
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
            .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`",
            .affects = Affects::Picture}),
-      own<&MapSettings::marks, marksFrom, marksText>(
-          "marks", kListKind, kExpectedMarks,
+      key<&MapSettings::marks, marksFrom, marksText>(
+          "marks", tableForm(kListKind, kExpectedMarks, membersOf<markKeys>),
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
            .byDefault = "none",
            .affects = Affects::Picture}),
-      own<&MapSettings::expected, mapExpectationsFrom, mapExpectationsText>(
-          "expect", kListKind, kExpectedMapBounds,
+      key<&MapSettings::expected, mapExpectationsFrom, mapExpectationsText>(
+          "expect", tableForm(kListKind, kExpectedMapBounds, mapExpectationRows),
           {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
                       "value; see [expectations](vary.md#expectations)",
            .byDefault = "none",
            .affects = Affects::Text}),
-      own<&MapSettings::film, filmFrom, filmText>(
-          "film", kTableKind, kExpectedFilm,
+      key<&MapSettings::film, filmFrom, filmText>(
+          "film", tableForm(kTableKind, kExpectedFilm, membersOf<filmKeys>),
           {.meaning = "the part of the map that `rotatebook map --film` zooms into, and the "
                       "film's length; see [maps](map.md#films)",
            .byDefault = "none",

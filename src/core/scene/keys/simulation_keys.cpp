@@ -65,12 +65,20 @@ void readEvery(const ValueReader& steps, std::string_view part, const ValueForm&
   every = steps.integer(1, kMaxInterval);
 }
 
+std::vector<KeyRow> everyRows() {
+  return {rowOf("every", {.meaning = "steps from one correction to the next"},
+                integerForm(1, kMaxInterval), "")};
+}
+
 /// Numbers of steps from one correction to the next; 0 for none.
 template <auto kMember>
 constexpr auto everyStep(std::string_view name, const KeyText& documentation) {
   return key<kMember, everyStepFrom, everyStepText, readEvery>(
       name,
-      {.expected = kExpectedEvery, .hasWholeParts = true, .kinds = {.flag = true, .table = true}},
+      {.expected = kExpectedEvery,
+       .hasWholeParts = true,
+       .kinds = {.flag = true, .table = true},
+       .members = everyRows},
       documentation);
 }
 

@@ -15,6 +15,8 @@ namespace {
 using document::kPositive;
 
 constexpr const char* kExpectedMeasures = "a list of quantities, such as [\"diverges_at\"]";
+constexpr ValueForm kMeasureForm{.type = ValueForm::Type::Choice,
+                                 .choices = measureNames(MeasureSections::Studies)};
 constexpr NumberRange kStudyTimes{kPositive.expected, kPositive.min, kPositive.max,
                                   Dimension::Time};
 
@@ -46,8 +48,8 @@ Keys<StudySettings> studyKeys() {
       valueAxis<&StudySettings::curves>(
           "curves", {.meaning = "a second key: one curve for each of its values",
                      .byDefault = "without `measure`, all of the model's integrators"}),
-      own<&StudySettings::measures, measuresFrom, measuresText>(
-          "measure", kListKind, kExpectedMeasures,
+      key<&StudySettings::measures, measuresFrom, measuresText>(
+          "measure", listForm(kExpectedMeasures, kMeasureForm),
           {.meaning = "one to three of the [measures](map.md#measures)",
            .byDefault = "`[\"order\"]`"}),
       placedExpectations<&StudySettings::expected, kStudyExpectations>(

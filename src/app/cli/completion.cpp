@@ -59,8 +59,24 @@ std::string firstWords(const CLI::App& program, const CLI::App& command) {
   return joined(works, " ");
 }
 
-/// Returns the values, with blanks between them, that an option may have, as the parser checks them
-/// or another list of the program names them; empty for others.
+/// Returns whether the arguments of `command` are scene files, after its work if it has one.
+bool takesScenes(const CLI::App& command) {
+  return command.get_option_no_throw("SCENE") != nullptr;
+}
+
+/// Returns the values among those that a help calls "bar|json|none" or "english|german|FILE", with
+/// blanks between them: a word with capitals stands for others.
+std::string literalsOf(const std::string& type) {
+  if (type.find('|') == type.npos) return "";
+  std::vector<std::string> literals;
+  for (const std::string& word : CLI::detail::split(type, '|'))
+    if (std::ranges::none_of(word, [](char letter) { return letter >= 'A' && letter <= 'Z'; }))
+      literals.push_back(word);
+  return joined(literals, " ");
+}
+
+/// Returns the values, with blanks between them, that an option may have, as the parser checks
+/// them, the help names them or another list of the program does; empty for others.
 std::string choicesOf(const CLI::Option& option) {
   if (option.check_lname("format")) {
     std::vector<std::string> formats;
@@ -69,18 +85,24 @@ std::string choicesOf(const CLI::Option& option) {
   }
   const std::string type = option.get_type_name();
   const std::size_t begin = type.find('{'), end = type.find('}');
-  if (end == type.npos || begin > end) return "";
+  if (end == type.npos || begin > end) return literalsOf(type);
   return CLI::detail::find_and_replace(type.substr(begin + 1, end - begin - 1), ",", " ");
 }
 
-/// Returns a line of a shell's `case` for each option of `command` that has choices.
-std::string choiceCases(const CLI::App& command) {
+/// Returns whether an option's value may be a file beside its choices.
+bool takesFiles(const CLI::Option& option) {
+  return option.get_type_name().ends_with("|FILE");
+}
+
+/// Returns a line of a shell's `case` for each option of `command` that has a value: choices, or
+/// none, which leaves files.
+std::string valueCases(const CLI::App& command) {
   std::string cases;
   for (const CLI::Option* option : optionsOf(command)) {
-    const std::string choices = choicesOf(*option);
-    if (choices.empty()) continue;
+    if (valueName(*option).empty()) continue;
     for (const std::string& name : namesOf(*option))
-      cases += fmt::format("    {}:{}) values='{}' ;;\n", command.get_name(), name, choices);
+      cases += fmt::format("    {}:{}) words='{}' scenes='' ;;\n", command.get_name(), name,
+                           choicesOf(*option));
   }
   return cases;
 }
@@ -91,23 +113,30 @@ std::string bashScript(const CLI::App& program) {
   std::string values;
   for (const CLI::App* command : commandsOf(program)) {
     const std::string words = firstWords(program, *command);
-    cases += fmt::format("    {}) options='{}'{} ;;\n", command->get_name(), optionNames(*command),
-                         words.empty() ? "" : " words='" + words + "'");
-    values += choiceCases(*command);
+    cases += fmt::format("    {}) options='{}'{}{} ;;\n", command->get_name(),
+                         optionNames(*command), words.empty() ? "" : " words='" + words + "'",
+                         takesScenes(*command) ? " scenes='*.toml'" : "");
+    values += valueCases(*command);
   }
   return R"(_rotatebook() {
-  local word=${COMP_WORDS[COMP_CWORD]} command="" words="" options="" values="" i
+  local word=${COMP_WORDS[COMP_CWORD]} command="" words="" options="" scenes="" i
   for ((i = 1; i < COMP_CWORD; ++i)); do
     [[ ${COMP_WORDS[i]} == -* ]] || { command=${COMP_WORDS[i]}; break; }
   done
   case $command in
 )" + cases +
-         "  esac\n  ((i + 1 >= COMP_CWORD)) || words=\"\"\n"
-         "  case $command:${COMP_WORDS[COMP_CWORD - 1]} in\n" +
-         values + R"(  esac
+         R"(  esac
+  for ((++i; i < COMP_CWORD; ++i)); do
+    [[ " $words " != *" ${COMP_WORDS[i]} "* ]] || words=""
+  done
   [[ $word != -* || -z $command ]] || words=$options
-  [[ -z $values ]] || words=$values
+  case $command:${COMP_WORDS[COMP_CWORD - 1]} in
+)" + values +
+         R"(  esac
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+  [[ -z $words && -n $scenes ]] || return 0
+  mapfile -t COMPREPLY < <(compgen -f -X "!$scenes" -- "$word"; compgen -d -- "$word")
+  compopt -o filenames 2> /dev/null || true
 }
 complete -o bashdefault -o default -F _rotatebook rotatebook
 )";
@@ -121,14 +150,15 @@ std::string zshArguments(const CLI::App& program, const CLI::App& command) {
     for (const std::string& name : namesOf(*option)) {
       text += fmt::format(" \\\n      '*{}[{}]{}'", name,
                           summary(option->get_description(), "[]:\\", "'\\''"),
-                          value.empty()     ? ""
-                          : choices.empty() ? ": :_files"
-                                            : ": :(" + choices + ")");
+                          value.empty()         ? ""
+                          : choices.empty()     ? ": :_files"
+                          : takesFiles(*option) ? ": :{compadd " + choices + "; _files}"
+                                                : ": :(" + choices + ")");
     }
   }
   const std::string words = firstWords(program, command);
   if (!words.empty()) text += fmt::format(" \\\n      '1: :({})'", words);
-  return text + " \\\n      '*: :_files'";
+  return text + " \\\n      '*: :_files" + (takesScenes(command) ? " -g \"*.toml\"'" : "'");
 }
 
 std::string zshScript(const CLI::App& program) {
@@ -155,10 +185,11 @@ std::string fishOption(const CLI::Option& option, const std::string& condition) 
   for (const std::string& name : option.get_snames()) names += " -s " + name;
   for (const std::string& name : option.get_lnames()) names += " -l " + name;
   const std::string choices = choicesOf(option);
-  return fmt::format("complete -c rotatebook -n '{}'{}{}{} -d '{}'\n", condition, names,
-                     valueName(option).empty() ? "" : " -r",
-                     choices.empty() ? "" : " -f -a '" + choices + "'",
-                     summary(option.get_description(), "\\", "\\'"));
+  return fmt::format(
+      "complete -c rotatebook -n '{}'{}{}{} -d '{}'\n", condition, names,
+      valueName(option).empty() ? "" : " -r",
+      choices.empty() ? "" : (takesFiles(option) ? " -a '" : " -f -a '") + choices + "'",
+      summary(option.get_description(), "\\", "\\'"));
 }
 
 std::string fishScript(const CLI::App& program) {
@@ -173,6 +204,9 @@ std::string fishScript(const CLI::App& program) {
     const std::string words = firstWords(program, *command);
     if (!words.empty())
       text += fmt::format("complete -c rotatebook -n '{}' -a '{}'\n", chosen, words);
+    if (takesScenes(*command))
+      text += fmt::format("complete -c rotatebook -n '{}' -k -a '(__fish_complete_suffix .toml)'\n",
+                          chosen);
   }
   return text;
 }

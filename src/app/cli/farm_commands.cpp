@@ -272,7 +272,7 @@ void addSubmitCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   CLI::Option* slurm =
       command.add_flag("--slurm", arguments.slurm, "Send the tasks to the cluster that is here");
-  addOption(command, "--plan", "FORMAT", arguments.plan,
+  addOption(command, "--plan", "list|parallel", arguments.plan,
             "Print the tasks instead, as list or parallel");
   command.add_flag("--dry-run", arguments.dryRun,
                    "Print what would be sent; write and send nothing");

@@ -320,7 +320,8 @@ void addInfoCommand(CLI::App& program, Action& action) {
   command.add_option("--density", arguments.density,
                      "Density of a mesh [kg/m^3]; 1000, that of water, without --mass");
   command.add_option("--mass", arguments.mass, "Mass of a mesh [kg], in place of a density");
-  command.add_option("--unit", arguments.unit, "Unit of a mesh's coordinates: m, cm, mm, km or in")
+  addOption(command, "--unit", "m|cm|mm|km|in", arguments.unit,
+            "Unit of a mesh's coordinates: m, cm, mm, km or in")
       ->capture_default_str();
   command.add_flag("--json", arguments.json, "Print one JSON object");
   arguments.scene.addTo(command, /*draws=*/false);

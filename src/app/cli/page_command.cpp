@@ -210,7 +210,7 @@ void addPageCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   addOption(command, "--title", "TEXT", arguments.title, "The page's heading")
       ->capture_default_str();
-  addOption(command, "--language", "LANGUAGE|FILE", arguments.language,
+  addOption(command, "--language", "english|german|FILE", arguments.language,
             "english, german, or the file of a list of words such as assets/words/german.toml")
       ->capture_default_str();
   addOption(command, "--live", "FILE", arguments.live,
@@ -224,7 +224,8 @@ void addPageCommand(CLI::App& program, Action& action) {
           "Rate factor of packed clips: at 22, clips are three times as large as at 33, and "
           "verify still proves their pictures")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs("--pack");
   command.add_flag("--no-thumbnails", arguments.noThumbnails,
                    "Draw nothing, and show the posters themselves in the overview");
   arguments.sceneOptions.addTo(command);

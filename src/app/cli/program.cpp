@@ -280,7 +280,7 @@ void addHelpCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("help", "Describe the program, or one command");
   command->add_option("COMMAND", arguments->name, "Command to describe");
   command->add_flag("--man", arguments->manual, "Print the manual page, for man -l -");
-  addOption(*command, "--completion", "SHELL", arguments->shell,
+  addOption(*command, "--completion", "bash|zsh|fish", arguments->shell,
             "Print what has bash, zsh or fish complete command lines");
   command->footer(R"(
 'make install' and the Debian package install both: man rotatebook.

@@ -270,20 +270,23 @@ void addTossCommand(CLI::App& program, Action& action) {
       .add_option("FILE", arguments.file,
                   "Table of the rates (CSV), or a phone's export: a folder, or ZIP")
       ->required();
-  addOption(command, "--acceleration", "FILE", arguments.acceleration,
-            "Table of the accelerometer's readings, with gravity, at times of its own");
+  CLI::Option* const acceleration =
+      addOption(command, "--acceleration", "FILE", arguments.acceleration,
+                "Table of the accelerometer's readings, with gravity, at times of its own");
   CLI::Option* const scene =
       addOption(command, "-o,--output", "FILE", arguments.scene,
                 "Scene to write, beside the recording: as measured, and exact");
   command
       .add_flag("--list", arguments.list,
                 "List the flights that the rates alone show, and what each tells")
-      ->excludes(scene);
+      ->excludes(scene)
+      ->excludes(acceleration);
   command.add_flag("--json", arguments.json, "Print one JSON object");
   addOption(command, "--lever", "METRES", arguments.options.lever,
             "Largest distance of the accelerometer from the centre of mass")
       ->check(notNegative)
-      ->capture_default_str();
+      ->capture_default_str()
+      ->excludes("--list");
   arguments.recording.addTo(command);
   command.footer(R"(
 Prints the ratios of the principal moments with intervals that hold in 95 of 100 tosses by noise

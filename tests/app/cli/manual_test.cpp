@@ -131,10 +131,66 @@ TEST_F(Manual, BashCompletes) {
   EXPECT_EQ(completed("rotatebook help doc"), "doctor\n");
   EXPECT_EQ(completed("rotatebook submit ''"), "render map study\n");
   EXPECT_EQ(completed("rotatebook submit render m"), "\n") << "a scene comes after the work";
+  EXPECT_EQ(completed("rotatebook submit --slurm ''"), "render map study\n");
+  EXPECT_EQ(completed("rotatebook submit -o out m"), "map\n");
+  EXPECT_EQ(completed("rotatebook submit render --plan ''"), "list parallel\n");
+  EXPECT_EQ(completed("rotatebook render --progress j"), "json\n");
+  EXPECT_EQ(completed("rotatebook info --unit m"), "m mm\n");
+  EXPECT_EQ(completed("rotatebook page --language g"), "german\n");
+  EXPECT_EQ(completed("rotatebook still --device s"), "software\n");
   EXPECT_EQ(completed("rotatebook render my.toml --format w"), "webm\n");
   EXPECT_EQ(completed("rotatebook toss my.csv --rates d"), "deg/s\n");
   EXPECT_EQ(completed("rotatebook doctor --overw"), "\n");  // Another command's.
   EXPECT_EQ(completed("rotatebook render my"), "\n");       // Bash's own files follow.
+}
+
+TEST_F(Manual, BashCompletesScenesAndFolders) {
+  for (const char* name : {"my.toml", "my.csv"}) write(name, "");
+  fs::create_directory(folder() / "myths");
+  EXPECT_EQ(completed("rotatebook render my"), "my.toml myths\n");
+  EXPECT_EQ(completed("rotatebook submit render --slurm my"), "my.toml myths\n");
+  EXPECT_EQ(completed("rotatebook render -o my"), "\n");  // Bash's own files follow.
+  EXPECT_EQ(completed("rotatebook verify my"), "\n");     // Likewise.
+}
+
+TEST_F(Manual, FishCompletes) {
+  if (shell("command -v fish").status != 0) GTEST_SKIP() << "there is no fish";
+  write("fish", helpOf({"--completion", "fish"}));
+  for (const char* name : {"my.toml", "my.csv"}) write(name, "");
+  const auto offered = [this](const std::string& line) {
+    return shell("HOME=$PWD fish --no-config -c 'source ./fish; complete -C \"" + line +
+                 "\"' | cut -f 1 | tr '\\n' ' '")
+        .output;
+  };
+  EXPECT_EQ(offered("rotatebook ren"), "render ");
+  EXPECT_EQ(offered("rotatebook submit --plan l"), "list ");
+  EXPECT_EQ(offered("rotatebook toss my.csv --rates d"), "deg/s ");
+  EXPECT_EQ(offered("rotatebook page --language g"), "german ");
+  EXPECT_THAT(offered("rotatebook render my"), ::testing::StartsWith("my.toml "));
+}
+
+TEST_F(Manual, ZshCompletes) {
+  if (shell("command -v zsh").status != 0) GTEST_SKIP() << "there is no zsh";
+  write("zsh", helpOf({"--completion", "zsh"}));
+  for (const char* name : {"my.toml", "my.csv"}) write(name, "");
+  // It completes in a terminal alone, and puts what is the only match into the line
+  write("try", R"(zmodload zsh/zpty
+zpty z zsh -f -i
+zpty -w z 'PS1=; autoload -U compinit; compinit -u -D; source ./zsh'
+zpty -w z 'rotatebook() { print -r -- "<$*>" }; print rea""dy'
+zpty -r -m z out "*ready*"
+zpty -w -n z "$1"$'\t\n'
+zpty -r -m z out "*<*>*"
+print -r -- "<${${out##*<}%%>*}>"
+)");
+  const auto line = [this](const std::string& words) {
+    return shell("HOME=$PWD timeout 60 zsh -f try '" + words + "'").output;
+  };
+  EXPECT_EQ(line("rotatebook ren"), "<render>\n");
+  EXPECT_EQ(line("rotatebook submit --plan l"), "<submit --plan list>\n");
+  EXPECT_EQ(line("rotatebook toss my.csv --rates d"), "<toss my.csv --rates deg/s>\n");
+  EXPECT_EQ(line("rotatebook page --language g"), "<page --language german>\n");
+  EXPECT_EQ(line("rotatebook render my"), "<render my.toml>\n");
 }
 
 TEST_F(Manual, ShellsAndManComplainOfNothing) {

@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
-"""The book beside a path tracer: eight views drawn by rotatebook and by Blender's Cycles, from the same mesh,
+"""The book and other bodies beside a path tracer: drawn by rotatebook and by Blender's Cycles, from the same mesh,
 pictures, camera and studio, and how far they are apart.
 
     bench/beside/beside_cycles.py PROGRAM FOLDER
 
-Writes FOLDER/beside.png, a row for each view: rotatebook's, Cycles', and their difference on grey; prints a table. Needs
-blender, python3-numpy, python3-skimage; some 10 minutes on two cores.
+Writes FOLDER/book.png and FOLDER/bodies.png, a row for each view: rotatebook's, Cycles', and their difference on grey;
+prints a table. The grain of metal and wood is left out of what is exported, and so of Cycles' pictures alone. Needs
+blender, python3-numpy, python3-skimage; some 20 minutes on two cores.
 """
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 
@@ -19,14 +21,24 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 # Rotations about x, y and z in turn. [rad] The last four show the covers from beneath and edges at grazing light.
 VIEWS = [(-0.5, 0.55, 0.12), (0.9, -0.7, 0.3), (-0.35, -1.15, 0.2), (1.25, 0.15, -0.4),
          (-1.2, 0.3, 0.1), (0.4, 1.45, 0.0), (-1.45, 2.6, 0.2), (0.2, 3.4, 1.5)]
+BODIES_FOLDER = os.path.join(HERE, "../../scenes/bodies")
+# The body and its rotations. [rad]
+BODIES = {
+    "t-handle": ('shape = "t-handle"', (0.6, 0.5, 0.2)), "wing-nut": ('shape = "wing-nut"', (-0.9, 0.2, 0.3)),
+    "knot": ('mesh = "knot.ply"\ndensity = 1200', (0.3, 0.4, 0.0)),
+    "racket": ('shape = "racket"', (-0.6, 0.3, 0.4)), "cards": ('shape = "cards"', (-0.8, 0.4, 0.2)),
+    "phone": ('shape = "phone"', (-0.5, 0.5, 0.2)), "weighted-disc": ('shape = "weighted-disc"', (-0.9, 0.3, 0.2)),
+    "toutatis": ('shape = "toutatis"', (0.3, 0.4, 0.2)),
+    "mallet": ("", (-0.4, 0.6, 0.3)),
+}
 SCENE = """title = "Beside a path tracer"
+{}
 [simulation]
 model = "exact"
 [initial]
 angular_velocity = [0, 0, 1]
 attitude = [{}]
-[camera]
-position = [0, 0, 0.76]
+{}
 [look]
 background = "transparent"
 [clip]
@@ -101,6 +113,34 @@ def over_grey(picture):
     return picture[..., :3] * picture[..., 3:] + 0.16 * (1 - picture[..., 3:])
 
 
+def scenes(size):
+    """Returns the text of each view's scene, by the name of its picture and of the view."""
+    def scene(body, view, camera):
+        return SCENE.format(body, ", ".join(map(repr, map(float, quaternion(*view)))), camera, *size)
+    with open(os.path.join(BODIES_FOLDER, "mallet.toml"), encoding="utf8") as file:
+        text = file.read()
+    mallet = text[text.index("[[body.part]]"):text.index("[simulation]")]
+    return {
+        "book": {f"view-{i}": scene("", view, "[camera]\nposition = [0, 0, 0.76]") for i, view in enumerate(VIEWS)},
+        "bodies": {name: scene(f"[body]\n{body}" if body else mallet, view, "")
+                   for name, (body, view) in BODIES.items()},
+    }
+
+
+def compare(name, scene, arguments):
+    """Draws a view by both; returns their differences, and the row of the picture."""
+    folder = arguments.folder
+    with open(os.path.join(folder, name + ".toml"), "w", encoding="utf8") as file:
+        file.write(scene)
+    ours = drawn(os.path.abspath(arguments.program), folder, name)
+    if not (arguments.keep and os.path.exists(os.path.join(folder, name + ".npy"))):
+        trace(folder, name, arguments.size, arguments.samples)
+    theirs = traced(folder, name)
+    row = [over_grey(ours), over_grey(theirs)]
+    return (differences(ours, theirs, BLUR * arguments.size[0] / 640),
+            np.concatenate([*row, np.clip(0.5 + row[0] - row[1], 0, 1)], 1))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
@@ -110,22 +150,18 @@ def main():
     parser.add_argument("--keep", action="store_true", help="take Cycles' pictures that are in the folder")
     arguments = parser.parse_args()
     os.makedirs(arguments.folder, exist_ok=True)
-    program, rows, results = os.path.abspath(arguments.program), [], []
-    print("view   mean difference   brighter by   seen (CIEDE2000): mean   95 %")
-    for number, view in enumerate(VIEWS):
-        name = f"view-{number}"
-        with open(os.path.join(arguments.folder, name + ".toml"), "w", encoding="utf8") as scene:
-            scene.write(SCENE.format(", ".join(map(repr, map(float, quaternion(*view)))), *arguments.size))
-        ours = drawn(program, arguments.folder, name)
-        if not (arguments.keep and os.path.exists(os.path.join(arguments.folder, name + ".npy"))):
-            trace(arguments.folder, name, arguments.size, arguments.samples)
-        theirs = traced(arguments.folder, name)
-        results.append(differences(ours, theirs, BLUR * arguments.size[0] / 640))
-        print("{:4d} {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(number, *results[-1]), flush=True)
-        row = [over_grey(ours), over_grey(theirs)]
-        rows.append(np.concatenate([*row, np.clip(0.5 + row[0] - row[1], 0, 1)], 1))
-    print("mean {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(*np.mean(results, 0)))
-    io.imsave(os.path.join(arguments.folder, "beside.png"), (255 * np.concatenate(rows) + 0.5).astype(np.uint8))
+    shutil.copy(os.path.join(BODIES_FOLDER, "knot.ply"), arguments.folder)
+    print("view            mean difference   brighter by   seen (CIEDE2000): mean   95 %")
+    for picture, views in scenes(arguments.size).items():
+        results, rows = [], []
+        for name, scene in views.items():
+            result, row = compare(name, scene, arguments)
+            print("{:13s} {:17.1f} {:13.1f} {:24.1f} {:6.1f}".format(name, *result), flush=True)
+            results.append(result)
+            rows.append(row)
+        print("{:13s} {:17.1f} {:13.1f} {:24.1f} {:6.1f}\n".format("mean", *np.mean(results, 0)))
+        io.imsave(os.path.join(arguments.folder, picture + ".png"),
+                  (255 * np.concatenate(rows) + 0.5).astype(np.uint8))
 
 
 if __name__ == "__main__":

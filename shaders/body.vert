@@ -1,4 +1,5 @@
-#version 330 core
+// Follows studio_scatter.glsl.
+//
 // Maps the unit cube into the deformation cage and computes the light that matt surfaces scatter,
 // which changes so slowly that once a vertex is enough.
 layout(location = 0) in vec3 unitPosition;  // Spine to fore edge, foot to head, back to front.
@@ -18,25 +19,6 @@ out vec3 worldNormal;
 out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
 flat out float surfaceId;
-
-// What a matt surface scatters of studio_shine.glsl's light, irradiance / pi: the polynomial of
-// second order that is nearest to it (Ramamoorthi and Hanrahan, "An Efficient Representation for
-// Irradiance Environment Maps", 2001), off by 0.016 in the mean. bench/beside/studio.py fits it.
-const vec3 kEven = vec3(0.9660, 0.9490, 0.9479);
-const vec3 kX = vec3(0.0430, 0.0096, -0.0436);
-const vec3 kY = vec3(0.4080, 0.4311, 0.4568);
-const vec3 kZ = vec3(0.4830, 0.4544, 0.4179);
-const vec3 kXy = vec3(0.1020, 0.0841, 0.0587);
-const vec3 kYz = vec3(0.1305, 0.1052, 0.0708);
-const vec3 kZx = vec3(0.1336, 0.1088, 0.0677);
-const vec3 kXxYy = vec3(-0.0020, 0.0019, 0.0097);
-const vec3 kZz = vec3(0.0597, 0.0560, 0.0502);
-
-vec3 scatteredLight(vec3 normal) {
-  float x = normal.x, y = normal.y, z = normal.z;
-  return kEven + kX * x + kY * y + kZ * z + kXy * (x * y) + kYz * (y * z) + kZx * (z * x) +
-         kXxYy * (x * x - y * y) + kZz * (3.0 * z * z - 1.0);
-}
 
 void main() {
   // Interpolate the cage trilinearly: its four edges along x, then two lines along y, then z

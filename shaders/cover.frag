@@ -18,7 +18,7 @@ vec3 pixelColour(vec3 radiance);
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
-const float kClothSheen = 0.9;  // Factor of keyHighlight().
+const float kClothSheen = 0.6;  // Factor of keyHighlight().
 const float kMinViewCosine = 0.25;  // Fibres keep cloth from mirroring more at grazing angles.
 const float kStampDepth = 1.2e-4;  // Depth of the gold in the cloth. [m]
 
@@ -39,7 +39,7 @@ void main() {
   float roughness = mix(cloth, kGoldRoughness, gold);
   vec3 reflectance = mix(vec3(kDielectric), base, gold);
   vec3 mirrored = reflect(-toEye, normal);
-  vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
+  vec3 shine = studio(mirrored, normal, roughness) * mirroredShare(reflectance, roughness, nv);
   shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
   vec3 radiance = (1.0 - 0.65 * gold) * base * diffuseLight + skyVisibility * shine;
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);

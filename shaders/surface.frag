@@ -71,8 +71,10 @@ void main() {
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   rough = widenedRoughness(rough, worldNormal);
   vec3 reflectance = mix(vec3(kDielectric), base, metal);
-  vec3 shine = studio(reflect(-toEye, normal), rough) * mirroredShare(reflectance, rough, nv);
+  vec3 shine = studio(reflect(-toEye, normal), normal, rough) * mirroredShare(reflectance, rough, nv);
   shine += (1.0 - metal) * keyHighlight(normal, toEye, nv, rough);
   vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
+  // What hides the surroundings scatters their light on: a geometric series of such bounces.
+  radiance /= 1.0 - base * (1.0 - skyVisibility);
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

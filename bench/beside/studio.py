@@ -1,6 +1,6 @@
 """The studio that shaders/studio_shine.glsl describes: its radiance, and what matt surfaces scatter of it.
 
-Prints the constants of scatteredLight() in shaders/body.vert. Run by a path tracer's Python, too.
+Prints the constants of shaders/studio_scatter.glsl. Run by a path tracer's Python, too.
 """
 import os
 import re

@@ -89,9 +89,9 @@ class BookView {
 
   #make(mesh, pictures, shaders) {
     const gl = this.gl;
-    const vertex = shaders.book;
-    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_shine + shaders.cover + shaders.tone_curve);
-    const surface = kSharper + shaders.studio_shine + shaders.surface + shaders.tone_curve;
+    const vertex = shaders.studio_scatter + shaders.book, shine = kSharper + shaders.studio_scatter + shaders.studio_shine;
+    this.cover = new Shaders(gl, vertex, shine + shaders.cover + shaders.tone_curve);
+    const surface = shine + shaders.surface + shaders.tone_curve;
     this.surfaces = {get shaders() { return this.made ??= new Shaders(gl, vertex, surface); }};
     this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + shaders.tone_curve);
     const backdrop = (name) => new Shaders(gl, shaders.whole_picture, shaders[name]);

@@ -14,7 +14,7 @@ const kScripts = ["record", "share", "core", "live_scene", "things", "clock", "b
   "events", "knobs", "controls", "hand", "pointer", "proof", "predict", "tour", "stage", "clip_picture", "picture_zip", "clip_files", "save_clip", "numbers", "simulation",
   "throws", "outcome", "files", "loaded", "toss", "big_screen", "player", "commands", "begin"];
 const kShaders = {book: "body.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", surface: "surface.frag", paper: "paper.frag", studio: "studio.frag",
-  stars: "stars.frag", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
+  stars: "stars.frag", studio_scatter: "studio_scatter.glsl", studio_shine: "studio_shine.glsl", tone_curve: "tone_curve.frag"};
 
 const read = (...names) => fs.readFileSync(path.join(...names), "utf8");
 

@@ -38,10 +38,12 @@ TEST(ShaderProgram, TakesShadersThatFit) {
 }
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
-  EXPECT_EQ(messageOf({bodyVertexShader()},
-                      {{studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+  EXPECT_EQ(messageOf({studioScatter(), bodyVertexShader()},
+                      {{studioScatter(), studioShine(), coverFragmentShader()},
+                       toneCurveFragmentShader()}),
             "no error");
-  EXPECT_EQ(messageOf({bodyVertexShader()}, {paperFragmentShader(), toneCurveFragmentShader()}),
+  EXPECT_EQ(messageOf({studioScatter(), bodyVertexShader()},
+                      {paperFragmentShader(), toneCurveFragmentShader()}),
             "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {studioFragmentShader()}), "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {starsFragmentShader()}), "no error");

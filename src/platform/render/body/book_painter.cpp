@@ -14,9 +14,10 @@ std::size_t indexOf(geometry::BookPart part) {
 
 BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail detail)
     : mesh_(geometry::makeBookMesh(detail)),
-      coverProgram_("cover", {bodyVertexShader()},
-                    {{studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
-      paperProgram_("paper", {bodyVertexShader()},
+      coverProgram_(
+          "cover", {studioScatter(), bodyVertexShader()},
+          {{studioScatter(), studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+      paperProgram_("paper", {studioScatter(), bodyVertexShader()},
                     {paperFragmentShader(), toneCurveFragmentShader()}),
       geometry_(mesh_),
       front_(textures.front.view(), kClamped),

@@ -42,11 +42,12 @@ std::vector<std::unique_ptr<Texture>> texturesOf(const SurfaceLook& look, int bo
 }  // namespace
 
 SurfacePainter::SurfacePainter(const SurfaceLook& look)
-    : mesh_(geometry::makeBodyMesh(look.surface, look.size)),
+    : mesh_(geometry::makeShadowedBodyMesh(look.surface, look.size)),
       size_(look.size),
       materials_(look.surface.materials),
-      program_("surface", {bodyVertexShader()},
-               {{studioShine(), surfaceFragmentShader()}, toneCurveFragmentShader()}),
+      program_(
+          "surface", {studioScatter(), bodyVertexShader()},
+          {{studioScatter(), studioShine(), surfaceFragmentShader()}, toneCurveFragmentShader()}),
       geometry_(mesh_),
       testGeometry_(testMesh()),
       white_(plainCloth({255, 255, 255}).view(), kRepeated),

@@ -2,6 +2,9 @@
 
 #include <array>
 #include <csignal>
+#include <unistd.h>
+
+#include "cli/exit_code.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -24,11 +27,13 @@ extern "C" void onSignal(int signal) {
   stopAsked = true;
 }
 
-}  // namespace
+extern "C" void endWithStatus(int signal) {
+  _exit(endStatus(128 + signal));
+}
 
-const std::atomic<bool>& catchInterrupts() {
+void handleInterrupts(void (*handler)(int)) {
   struct sigaction action {};
-  action.sa_handler = onSignal;
+  action.sa_handler = handler;
   action.sa_flags = SA_RESTART;
   // If two arrive at once, the second waits until the first has restored its default effect.
   for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
@@ -38,9 +43,19 @@ const std::atomic<bool>& catchInterrupts() {
     // nohup and shells start programs with some of them ignored.
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
+}
+
+}  // namespace
+
+const std::atomic<bool>& catchInterrupts() {
+  handleInterrupts(onSignal);
   // A render goes on when its output pipe is closed, and reports that at the end.
   std::signal(SIGPIPE, SIG_IGN);
   return stopAsked;
+}
+
+void endAtInterrupts() {
+  if (endStatus(kInterrupted) != kInterrupted) handleInterrupts(endWithStatus);
 }
 
 int interruptStatus() {

@@ -10,6 +10,7 @@
 #include "base/nearest_name.h"
 #include "base/text.h"
 #include "cli/exit_code.h"
+#include "cli/interrupt.h"
 #include "cli/motion_report.h"
 #include "cli/progress_line.h"
 #include "picture/preflight.h"
@@ -30,6 +31,7 @@ pipeline::StreamFormat streamFormatOf(const std::vector<std::string>& names) {
 }
 
 int streamScene(const SceneToRender& one, const pipeline::StreamOptions& options) {
+  endAtInterrupts();
   const scene::Scene& scene = one.scene;
   reportNotes(scene, picture::notesOn(scene), std::cerr);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);

@@ -150,5 +150,18 @@ TEST_F(StreamOfPictures, EndsWithItsReader) {
   EXPECT_THAT(files(), ElementsAre("said", "start"));
 }
 
+TEST_F(StreamOfPictures, MayBeTriedAgainAfterAnInterrupt) {
+  // The pipe has a reader, which takes no more, so that the render isn't done before the signal.
+  const auto interrupted = [&](const std::string& options) {
+    return shell("mkfifo pipe; '" ROTATEBOOK_PROGRAM
+                 "' render tiny.toml -q -o - --set clip.duration=2 " +
+                 options +
+                 " > pipe & exec 3< pipe; head -c 1 <&3; kill $!; wait $!; status=$?; rm pipe; "
+                 "exit $status");
+  };
+  EXPECT_EQ(interrupted("--retry-status"), 75);
+  EXPECT_EQ(interrupted(""), 143);
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

@@ -79,7 +79,11 @@ class Context:
         return json.loads(self._text("toml_to_json", self._put(text.encode())))
 
     def text_of(self, tree: Mapping[str, Any]) -> str:
-        return self._text("json_to_toml", self._put(json.dumps(tree, default=_plain).encode()))
+        try:
+            text = json.dumps(tree, default=_plain, allow_nan=False)
+        except ValueError:
+            raise SceneError(f"{self._name}: nan or inf is no number of a scene") from None
+        return self._text("json_to_toml", self._put(text.encode()))
 
     def read(self, text: str) -> Any:
         return json.loads(self._text("read", 0, self._put(text.encode())))

@@ -31,12 +31,15 @@ _PATIENCE = 0.02  # How long an interrupted program may take before the caller g
 _ANSWERS = (0, 1, 4)  # Exit statuses of a run that has a result, good or not.
 _KINDS = {".mp4": "video/mp4", ".webm": "video/webm", ".mov": "video/quicktime", ".gif": "image/gif", ".png": "image/png",
           ".apng": "image/apng"}
+_WIDTHS = {"time": 1, "attitude": 4, "angular_velocity": 3}  # Of a motion's arrays.
 _TABLE = "the table"  # The name in messages of one that arrays are written to.
 
 
 def program() -> str:
     """Returns the program's path: ROTATEBOOK, or else beside Python's own programs, or on PATH."""
     given = os.environ.get("ROTATEBOOK")
+    if given and not shutil.which(given):
+        raise Error(f"ROTATEBOOK names {given}, which isn't a program")
     found = given or shutil.which("rotatebook", path=os.path.join(sys.prefix, "bin")) or shutil.which("rotatebook")
     if not found:
         raise Error("there is no program rotatebook on PATH; install it, or name it in ROTATEBOOK")
@@ -197,14 +200,29 @@ def verify(clip: Path, *, progress: Optional[Progress] = None, **options: Any) -
     return Proof(run(["verify", os.fspath(clip), *_options(options)], progress))
 
 
+def _columns_of(given: Mapping[str, Any]) -> list[npt.NDArray[Any]]:
+    """Returns a motion's arrays as columns. Throws ValueError if one lacks, or hasn't a row for each time."""
+    columns = []
+    for name, width in _WIDTHS.items():
+        if name not in given:
+            if name == "angular_velocity":
+                continue
+            raise ValueError(f"a motion's arrays are {', '.join(_WIDTHS)}; there is no {name}")
+        array = np.asarray(given[name])
+        shape = (len(given["time"]), width) if width > 1 else (len(given["time"]),)
+        if array.shape != shape:
+            raise ValueError(f"{name} has the shape {array.shape}, not {shape}: a row for each time")
+        columns.append(array.reshape(-1, width))
+    return columns
+
+
 def _write_table(file: pathlib.Path, motion: Union[Motion, Mapping[str, npt.ArrayLike]]) -> None:
     """Writes the times, attitudes and angular velocities of a motion as a table that the program reads."""
     given: Mapping[str, Any] = ({name: motion.samples[name] for name in ("time", "attitude", "angular_velocity")}
                                 if isinstance(motion, Motion) else motion)
-    columns: list[npt.NDArray[Any]] = [np.asarray(given["time"])[:, None], np.asarray(given["attitude"])]
+    columns = _columns_of(given)
     names = "t (s),qx,qy,qz,qw"
     if "angular_velocity" in given:
-        columns.append(np.asarray(given["angular_velocity"]))
         names += ",wx (rad/s),wy (rad/s),wz (rad/s)"
     np.savetxt(file, np.hstack(columns), fmt="%.17g", delimiter=",", header=names, comments="")
 

@@ -129,6 +129,9 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"unlike {name!r}"):
                 Scene(THROW, name=name)
 
+        with self.assertRaisesRegex(SceneError, "^scene.toml: nan or inf is no number of a scene"):
+            Scene.from_dict({"initial": {"angular_velocity": [float("nan"), 0, 1]}})
+
     def test_read_nothing_outside_their_folders(self):
         pathlib.Path("inside").mkdir(exist_ok=True)
         pathlib.Path("secret.csv").write_text("t,wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,2\n1,0,0,2\n2,0,0,2\n")

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -71,6 +72,9 @@ class Clips(unittest.TestCase):
         with self.assertRaises(ProgramError) as refused:
             rotatebook.verify("bad.toml")
         self.assertEqual(refused.exception.status, 2)
+        with unittest.mock.patch.dict(os.environ, {"ROTATEBOOK": "/none"}):
+            with self.assertRaisesRegex(rotatebook.Error, "^ROTATEBOOK names /none, which isn't a program"):
+                rotatebook.render(SMALL)
 
     def test_end_by_ctrl_c_at_once(self):
         script = (f"import rotatebook, time\nscene = rotatebook.Scene({SMALL.text.replace('0.5', '600')!r})\n"
@@ -109,6 +113,10 @@ class Judging(unittest.TestCase):
         self.assertEqual(refused.exception.status, 2)
         with self.assertRaisesRegex(ProgramError, "^the table: a single row"):
             rotatebook.judge({name: array[:1] for name, array in wrong.items()}, inertia=motion.moments)
+        with self.assertRaisesRegex(ValueError, r"^attitude has the shape \(30, 4\), not \(29, 4\): a row for each time"):
+            rotatebook.judge({"time": motion.time[1:], "attitude": motion.attitude}, inertia=motion.moments)
+        with self.assertRaisesRegex(ValueError, "there is no attitude"):
+            rotatebook.judge({"time": motion.time}, inertia=motion.moments)
 
     def test_studies_maps_and_tosses(self):
         study = rotatebook.study(SMALL, "studies", integrators="rk4", steps="4,8,16,32")

@@ -118,6 +118,8 @@ class Pack(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("mine/book.csv", refused.stderr)
         self.assertEqual([file.name for file in pathlib.Path("mine").iterdir()], ["book.csv"])
+        file = subprocess.run([rotatebook.program(), "judge", "--pack", "mine/book.csv"], capture_output=True, text=True)
+        self.assertIn("can't make the folder mine/book.csv: mine/book.csv is not a folder", file.stderr)
 
 
 if __name__ == "__main__":

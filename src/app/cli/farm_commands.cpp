@@ -188,7 +188,11 @@ int printPlan(const SubmitArguments& arguments, const PlanWishes& wishes,
     system::createFolders(files.folder);
     farm::storePlan(files, stored);
   }
-  std::cout << format.text(stored.plan, farm::missingTasks(stored.plan, files));
+  if (farm::isMade(stored.plan, files)) {
+    std::clog << "nothing is missing\n";
+  } else {
+    std::cout << format.text(stored.plan, farm::missingTasks(stored.plan, files));
+  }
   return kDone;
 }
 

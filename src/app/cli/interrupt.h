@@ -1,4 +1,4 @@
-// What SIGINT, SIGTERM and SIGHUP do. Inside the room only.
+// Effects of SIGINT, SIGTERM and SIGHUP. Inside the room only.
 #pragma once
 
 #include <atomic>

@@ -121,7 +121,7 @@ void writePack(const std::filesystem::path& folder) {
                    "world's axes"},
                   {"motions", motions}};
   files.emplace_back(index, jsonText(pack) + '\n');
-  std::filesystem::create_directories(folder);
+  system::createFolders(folder);
   for (const auto& [file, content] : files) system::writeFileAtomically(file, content);
 }
 

@@ -157,6 +157,10 @@ std::vector<Task> missingTasks(const Plan& plan, const PlanFiles& files) {
   return missingOf(plan, progressOf(plan, files));
 }
 
+bool isMade(const Plan& plan, const PlanFiles& files) {
+  return std::ranges::all_of(progressOf(plan, files), &SceneProgress::isWhole);
+}
+
 Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& options,
                   const ClusterLimits& limits) {
   const Plan& plan = stored.plan;

@@ -34,6 +34,9 @@ void requireNoneQueued(const StoredPlan& earlier, const Plan& plan);
 /// Returns the tasks whose results are missing.
 std::vector<Task> missingTasks(const Plan& plan, const PlanFiles& files);
 
+/// Returns whether all that a plan's tasks and its join make is there.
+bool isMade(const Plan& plan, const PlanFiles& files);
+
 /// Sends what is missing of a plan, that of continued(): an array job, and one that joins the
 /// results once all are there. Throws as slurm.h says; then, nothing of it is left in the queue, or
 /// the message names what is.

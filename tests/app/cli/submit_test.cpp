@@ -46,6 +46,12 @@ TEST_F(Submit, PrintsCommandsThatMakeTheClip) {
   ASSERT_EQ(plan.status, 0) << plan.error;
   EXPECT_THAT(plan.output, AllOf(HasSubstr("--part 3/3"), HasSubstr("--format mp4")));
   EXPECT_THAT(runLines(plan.output), ElementsAre(0, 0, 0, 0));
+  for (const char* format : {"list", "parallel"}) {
+    const ChildResult again =
+        run({"submit", "render", "tiny.toml", "-o", "many", "--chunk", "5", "--plan", format});
+    EXPECT_EQ(again.output, "");
+    EXPECT_EQ(again.error, "nothing is missing\n");
+  }
   EXPECT_EQ(run({"render", "tiny.toml", "-o", "one"}).status, 0);
   EXPECT_TRUE(has("many/farm/render/plan.json"));
   std::filesystem::remove_all(folder() / "many/farm");

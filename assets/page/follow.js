@@ -25,7 +25,7 @@ function follow(file) {
 
   const look = () => {
     const script = document.createElement("script");
-    script.src = `${file}?${Date.now()}`;
+    script.src = `${encodeURIComponent(file)}?${Date.now()}`;
     script.onload = script.onerror = () => {
       script.remove();
       setTimeout(look, kFollowPause);

@@ -25,28 +25,28 @@ testOnce("the page plays each save from where it is, with the files that it name
   const folder = path.join(kOutput, "watch"), file = (name) => path.join(folder, name);
   fs.rmSync(folder, {recursive: true, force: true});
   fs.mkdirSync(folder);
-  fs.writeFileSync(file("my.toml"), kTurns);
-  const program = spawn(process.env.ROTATEBOOK_PROGRAM, ["watch", "my.toml", "--live", kPlay], {cwd: folder});
+  fs.writeFileSync(file("my #1.toml"), kTurns);
+  const program = spawn(process.env.ROTATEBOOK_PROGRAM, ["watch", "my #1.toml", "--live", kPlay], {cwd: folder});
   try {
-    await until(() => fs.existsSync(file("my.live.js")));
-    const {page, problems, close} = await open({}, {file: pathToFileURL(file("my.live.html")).href});
+    await until(() => fs.existsSync(file("my #1.live.js")));
+    const {page, problems, close} = await open({}, {file: pathToFileURL(file("my #1.live.html")).href});
     const titled = (title) => page.waitForFunction((wanted) => rotatebook.player.scene.tree.title === wanted, title);
     await titled("A book that turns over");
     await page.evaluate(() => {
       rotatebook.player.seek(50);
       rotatebook.player.orbit.right = 0.5;
     });
-    fs.writeFileSync(file("my.toml"), kTurns.replace("turns over", "turns slowly").replace("6.0", "5.0"));
+    fs.writeFileSync(file("my #1.toml"), kTurns.replace("turns over", "turns slowly").replace("6.0", "5.0"));
     await titled("A book that turns slowly");
     assert.equal(await page.evaluate(() => rotatebook.player.frame), 50);
     assert.equal(await page.evaluate(() => rotatebook.player.orbit.right), 0.5);
 
-    fs.writeFileSync(file("my.toml"), kTurns.replace("tilt", "tlit"));
+    fs.writeFileSync(file("my #1.toml"), kTurns.replace("tilt", "tlit"));
     await page.waitForFunction(() => /unknown key "tlit"/.test(document.querySelector(".rb-message").textContent));
     assert.equal(await page.evaluate(() => rotatebook.player.scene.tree.title), "A book that turns slowly");
 
     fs.writeFileSync(file("wedge.obj"), "# é\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
-    fs.writeFileSync(file("my.toml"), kTurns.replace("turns over", "is a wedge").replace("[clip]", '[body]\nmesh = "wedge.obj"\nmass = 1\n[clip]'));
+    fs.writeFileSync(file("my #1.toml"), kTurns.replace("turns over", "is a wedge").replace("[clip]", '[body]\nmesh = "wedge.obj"\nmass = 1\n[clip]'));
     await titled("A book that is a wedge");
     assert.equal(await page.locator(".rb-message").textContent(), "");
     assert.deepEqual(problems, []);

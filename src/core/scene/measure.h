@@ -76,8 +76,8 @@ constexpr std::string_view nameOf(Measure measure) {
 
 /// The names of all measures, in the order of the rows.
 inline constexpr auto kMeasureNames = [] {
-  std::array<std::string_view, kMeasureRows.size()> names;
-  std::ranges::transform(kMeasureRows, names.begin(), &MeasureRow::name);
+  std::array<std::string_view, kMeasureRows.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kMeasureRows[i].name;
   return names;
 }();
 static_assert(std::ranges::is_sorted(kMeasureRows, {}, &MeasureRow::sections));

@@ -66,4 +66,9 @@ KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::s
           .affects = key.affects};
 }
 
+void addRow(std::vector<KeyRow>& rows, std::string_view section, std::string_view name,
+            const KeyText& key, const ValueForm& form, std::string value) {
+  rows.push_back(rowOf(std::string(section) + std::string(name), key, form, std::move(value)));
+}
+
 }  // namespace rotatebook::scene

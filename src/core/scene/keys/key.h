@@ -158,14 +158,17 @@ std::string inlineTable(Keys<S> keys, const std::type_identity_t<S>& from) {
 /// Returns the row of a key whose default is `value`, as TOML.
 KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::string value);
 
+/// Adds that of the key `name` of `section`. It is no template, as the live book's size counts.
+void addRow(std::vector<KeyRow>& rows, std::string_view section, std::string_view name,
+            const KeyText& key, const ValueForm& form, std::string value);
+
 /// Returns the rows of the keys; `section` is empty, or ends in a dot.
 template <typename S>
 std::vector<KeyRow> rowsOf(std::string_view section, Keys<S> keys) {
   std::vector<KeyRow> rows;
   for (const Key<S>& key : keys) {
     const bool isStated = key.documentation.byDefault.empty();
-    rows.push_back(rowOf(std::string(section) + std::string(key.name), key.documentation, key.form,
-                         isStated ? key.text(S{}) : ""));
+    addRow(rows, section, key.name, key.documentation, key.form, isStated ? key.text(S{}) : "");
   }
   return rows;
 }

@@ -1,8 +1,8 @@
 // The keys of [map]: which runs to make, and how they are drawn.
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/keys/axis_keys.h"
@@ -219,7 +219,7 @@ Keys<MapExpectation> expectationKeys() {
 
 std::vector<KeyRow> mapExpectationRows() {
   std::vector<KeyRow> rows = membersOf<expectationKeys>();
-  std::ranges::move(membersOf<boundKeys>(), std::back_inserter(rows));
+  for (KeyRow& row : membersOf<boundKeys>()) rows.push_back(std::move(row));
   return rows;
 }
 

@@ -74,7 +74,5 @@ void main() {
   vec3 shine = studio(reflect(-toEye, normal), normal, rough) * mirroredShare(reflectance, rough, nv);
   shine += (1.0 - metal) * keyHighlight(normal, toEye, nv, rough);
   vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
-  // What hides the surroundings scatters their light on: a geometric series of such bounces.
-  radiance /= 1.0 - base * (1.0 - skyVisibility);
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

@@ -73,7 +73,7 @@ const BookMesh& bookMesh() {
 BodyMesh bodyMeshOf(const scene::Motion& motion,
                     const std::function<const std::string*(const std::string&)>& fileOf) {
   const body::Surface surface = surfaceOf(motion, fileOf);
-  const geometry::Mesh mesh = geometry::makeShadowedBodyMesh(surface, motion.body.size);
+  const geometry::Mesh mesh = geometry::makeBodyMesh(surface, motion.body.size);
   BodyMesh made{"", floatsOf(mesh.vertices), {}};
   Json parts = Json::array();
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {

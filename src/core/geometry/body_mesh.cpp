@@ -11,7 +11,6 @@
 
 #include "base/disjoint_sets.h"
 #include "base/elementary.h"
-#include "geometry/sky_visibility.h"
 
 namespace rotatebook::geometry {
 namespace {
@@ -37,27 +36,6 @@ class MeshMaker {
 
   const std::vector<std::array<std::uint32_t, 3>>& triangles() const {
     return surface_.mesh.triangles;
-  }
-
-  /// Returns the points of the mesh's vertices, after make().
-  const std::vector<std::uint32_t>& pointsOfVertices() const { return pointOfVertex_; }
-
-  /// Returns true if the surface is one, and bends inward nowhere: it can't shadow itself.
-  bool isConvex() const {
-    constexpr double kRounding = 1e-6;  // As single precision leaves it. [of the size]
-    const auto& points = surface_.mesh.points;
-    DisjointSets joined(triangles().size());
-    bool isConvex = true;
-    forEdges([&](const Side& a, const Side& b) {
-      joined.join(a.triangle(), b.triangle());
-      const Vector3d& area = areas_[a.triangle()];
-      for (const std::uint32_t point : triangles()[b.triangle()]) {
-        const double height = area.dot(points[point] - points[a.low]);
-        isConvex = isConvex && height <= kRounding * area.norm() * size_.norm();
-      }
-    });
-    for (std::uint32_t i = 0; i < triangles().size(); ++i) isConvex = isConvex && joined.of(i) == 0;
-    return isConvex;
   }
 
   Mesh make() {
@@ -179,7 +157,6 @@ class MeshMaker {
         known.push_back(static_cast<std::uint32_t>(mesh.vertices.size()));
         mesh.vertices.push_back(vertex);
         vertexOf_.push_back(known.back());
-        pointOfVertex_.push_back(pointOf(i));
       } else {
         vertexOf_.push_back(*same);
       }
@@ -209,20 +186,12 @@ class MeshMaker {
   DisjointSets corners_;                 // Those of a set share their normal.
   DisjointSets patches_{0};              // Triangles.
   std::vector<std::uint32_t> vertexOf_;  // By corner.
-  std::vector<std::uint32_t> pointOfVertex_;
 };
 
 }  // namespace
 
 Mesh makeBodyMesh(const body::Surface& surface, const Vector3d& size) {
   return MeshMaker(surface, size).make();
-}
-
-Mesh makeShadowedBodyMesh(const body::Surface& surface, const Vector3d& size) {
-  MeshMaker maker(surface, size);
-  Mesh mesh = maker.make();
-  if (!maker.isConvex()) addSkyVisibility(size, maker.pointsOfVertices(), mesh);
-  return mesh;
 }
 
 }  // namespace rotatebook::geometry

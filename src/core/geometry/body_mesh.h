@@ -14,11 +14,6 @@ namespace rotatebook::geometry {
 /// normals are weighted by area. `surface.mesh` shares points, as body::welded() meshes do.
 Mesh makeBodyMesh(const body::Surface& surface, const Eigen::Vector3d& size);
 
-/// Makes that mesh with the shadows that the body casts on itself, as MeshVertex::skyVisibility of
-/// its vertices. Where they vary along an edge, it gets vertices more. Convex bodies have none. The
-/// same bits on all machines. Takes some 0.2 s for 100,000 triangles.
-Mesh makeShadowedBodyMesh(const body::Surface& surface, const Eigen::Vector3d& size);
-
 /// The least angle at which two triangles form an edge. [degrees]
 inline constexpr double kCreaseDeg = 35;
 

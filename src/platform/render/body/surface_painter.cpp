@@ -42,7 +42,7 @@ std::vector<std::unique_ptr<Texture>> texturesOf(const SurfaceLook& look, int bo
 }  // namespace
 
 SurfacePainter::SurfacePainter(const SurfaceLook& look)
-    : mesh_(geometry::makeShadowedBodyMesh(look.surface, look.size)),
+    : mesh_(geometry::makeBodyMesh(look.surface, look.size)),
       size_(look.size),
       materials_(look.surface.materials),
       program_(

@@ -52,11 +52,15 @@ std::vector<std::string> notesOn(const scene::Scene& scene, const physics::Traje
   if (motion.divergedAt)
     notes.push_back(fmt::format("the motion diverges at {} s, before which the animation ends",
                                 roundedText(*motion.divergedAt, 6)));
-  if (turning.errorDeg > kCoarseDeg)
-    notes.push_back(fmt::format(
-        "between its keys the animation is up to {} degrees off the motion; take more keys a "
-        "second with --keys{}",
-        roundedText(turning.errorDeg, 2), turning.reach ? "" : ", or --tangents"));
+  if (turning.errorDeg > kCoarseDeg) {
+    const std::string remedy = turning.keysPerSecond < kMostKeys
+                                   ? fmt::format("take more keys a second with --keys{}",
+                                                 turning.reach ? "" : ", or --tangents")
+                                   : "it turns too fast for keys";
+    notes.push_back(
+        fmt::format("between its keys the animation is up to {} degrees off the motion; {}",
+                    roundedText(turning.errorDeg, 2), remedy));
+  }
   if (std::ranges::any_of(scene.cues,
                           [](const auto& cue) { return cue.move && cue.move->fieldOfViewDeg; }))
     notes.emplace_back("the camera's angle of view stays as it is at the start");

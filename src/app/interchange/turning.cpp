@@ -131,14 +131,14 @@ int timesFor(double errorDeg, bool tangents) {
 }  // namespace
 
 Turning turningOf(const scene::Scene& scene, std::int64_t frames, const KeyOptions& options) {
-  constexpr int kFewest = 60, kMost = 960;
+  constexpr int kFewest = 60;
   int keys = options.keysPerSecond.value_or(kFewest);
   SampledKeys samples = sampled(scene, frames, keys);
   for (;;) {
     Turning turning = turningWith(keys, samples, scene, frames, options.tangents);
-    if (options.keysPerSecond || turning.errorDeg <= kCloseDeg || keys >= kMost) return turning;
+    if (options.keysPerSecond || turning.errorDeg <= kCloseDeg || keys >= kMostKeys) return turning;
     if (keys == samples.perSecond) {
-      const int wanted = std::min(kMost, keys * timesFor(turning.errorDeg, options.tangents));
+      const int wanted = std::min(kMostKeys, keys * timesFor(turning.errorDeg, options.tangents));
       samples = sampled(scene, frames, wanted);
     }
     keys *= 2;

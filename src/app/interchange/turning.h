@@ -13,6 +13,7 @@
 namespace rotatebook::interchange {
 
 inline constexpr double kCloseDeg = 0.05;  ///< Nobody sees less.
+inline constexpr int kMostKeys = 960;      ///< A second of the video, unless more are asked for.
 
 /// The keys of an animation.
 struct KeyOptions {

@@ -197,6 +197,8 @@ TEST(MotionGlb, SaysThatItsKeysAreTooFew) {
   EXPECT_THAT(motionGlb(sceneOf(), 0, {}).notes, IsEmpty());
   EXPECT_THAT(motionGlb(sceneOf(), 0, {.keysPerSecond = 3}).notes,
               ElementsAre(HasSubstr("take more keys")));
+  EXPECT_THAT(motionGlb(sceneOf("clip.duration = 1\n", "4e4"), 0, {}).notes,
+              ElementsAre(HasSubstr("it turns too fast for keys")));
 }
 
 }  // namespace

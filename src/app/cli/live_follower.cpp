@@ -25,11 +25,12 @@ constexpr std::string_view kPageBegins = "<!-- Made by rotatebook watch. -->\n";
 constexpr std::string_view kScriptBegins = "// Made by rotatebook watch.\n";
 
 std::string readBook(const fs::path& book) {
-  std::string page = system::readInput(book, kLongestBook);
+  std::string page = system::readFileOrEmpty(book, kLongestBook);
   if (page.starts_with("<!doctype html>") && page.find("\"rb-live\"") != std::string::npos)
     return page;
-  throw InputError(fmt::format("--live {}: it isn't the live book, play.html, that make play makes",
-                               oneLine(book.string())));
+  throw InputError(fmt::format("--live {}: {} the live book; name play.html, which make play makes",
+                               oneLine(book.string()),
+                               fs::exists(book) ? "it isn't" : "there is no file of"));
 }
 
 /// Returns bytes as letters of the same numbers, in UTF-8, as texts in JSON are.

@@ -77,6 +77,9 @@ TEST_F(WatchTest, TellsTheLiveBookOfEachSaveAndMistake) {
   EXPECT_THAT(page, HasSubstr(read("play.html")));
   EXPECT_THAT(page, HasSubstr("follow(\"tiny.live.js\");"));
   EXPECT_EQ(run({"watch", "tiny.toml", "--live", "tiny.toml"}).status, 2);
+  EXPECT_THAT(
+      run({"watch", "tiny.toml", "--live", "none.html"}).error,
+      HasSubstr("there is no file of the live book; name play.html, which make play makes"));
   write("tiny.live.js", "somebody's");
   EXPECT_EQ(run({"watch", "tiny.toml", "--live", "play.html"}).status, 2);
   EXPECT_EQ(read("tiny.live.js"), "somebody's");

@@ -1,6 +1,7 @@
 #include "cli/progress_line.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <unistd.h>
@@ -50,7 +51,7 @@ std::string progressText(std::int64_t done, std::int64_t total, double rate, std
   std::string pace, left;
   if (rate > 0) {
     pace = fmt::format(", {:.1f} {}/s", rate, unit);
-    left = fmt::format(", {:.0f} s left", secondsLeft(done, total, rate));
+    left = fmt::format(", {:.0f} s left", std::ceil(secondsLeft(done, total, rate)));
   }
   // The bar's length is that of the line, not of the words, which change
   const std::size_t cells = std::min(kBarWidth, columns / kColumnsOfCell);

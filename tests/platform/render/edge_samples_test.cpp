@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -83,10 +84,10 @@ TEST(EdgeSamples, GiveAPixelItsShareOfLight) {
   }
 }
 
-// From the side all corners of a triangle lie on a line, but for rounding, by which the whole row
-// to the right of this one lies within its three edges. From a clip of an hour.
-TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
-  constexpr int kSize = 64;
+constexpr int kSize = 64;  // of a picture all of whose pixels are among the edges
+
+/// Returns a transparent picture with the triangle, white.
+image::Image drawnAlone(const ScreenTriangle& triangle) {
   image::Image drawn(kSize, kSize, image::PixelFormat::Rgba8);
   std::ranges::copy(kWhite, drawn.row(40));  // So that there is a colour to mix.
   EdgePixels pixels(kSize, kSize);
@@ -96,15 +97,39 @@ TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
   }
   pixels.number();
   image::Image picture(kSize, kSize, image::PixelFormat::Rgba8);
-  const ScreenTriangle thin{{Eigen::Vector3f(25.7919579F, 25.761055F, 0.5F),
-                             {25.9701672F, 25.7609348F, 0.5F},
-                             {25.7684898F, 25.7610703F, 0.5F}},
-                            kOne};
-  EdgeSamples().resolve(pixels, {&thin, 1}, drawn, {}, picture, picture);
+  EdgeSamples().resolve(pixels, {&triangle, 1}, drawn, {}, picture, picture);
+  return picture;
+}
+
+// From the side all corners of a triangle lie on a line, but for rounding, by which the whole row
+// to the right of this one lies within its three edges. From a clip of an hour.
+TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
+  const image::Image picture = drawnAlone({{Eigen::Vector3f(25.7919579F, 25.761055F, 0.5F),
+                                            {25.9701672F, 25.7609348F, 0.5F},
+                                            {25.7684898F, 25.7610703F, 0.5F}},
+                                           kOne});
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       if (x == 25 && y == 25) continue;
       EXPECT_EQ(at(picture, x, y), kNothing) << x << ", " << y;
+    }
+  }
+}
+
+// Half of the box around a racket's string was white, wherever an edge was.
+TEST(EdgeSamples, StayBesideALongTriangleSeenFromItsSide) {
+  for (int i = 0; i < 100; ++i) {
+    const float shift = 0.07F * static_cast<float>(i);
+    const Eigen::Vector3f a(2.3F + shift, 61 - shift, 0.5F), b(50 + shift, 3.7F, 0.5F);
+    const Eigen::Vector3f c = a + 0.37F * (b - a);
+    const image::Image picture = drawnAlone({{a, b, c}, kOne});
+    const Eigen::Vector2f along = (b - a).head<2>().normalized();
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const Eigen::Vector2f from = Eigen::Vector2i(x, y).cast<float>() - a.head<2>();
+        if (std::abs(along.x() * from.y() - along.y() * from.x()) < 2) continue;
+        ASSERT_EQ(at(picture, x, y), kNothing) << i << ": " << x << ", " << y;
+      }
     }
   }
 }

@@ -49,12 +49,12 @@ struct Plane {
   float reach() const { return 0.5F * (std::abs(x) + std::abs(y)); }
 };
 
-/// Returns the edge function of the line from `a` to `b`: 0 on it, positive toward `inner`.
-Plane edgePlane(const Vector3f& a, const Vector3f& b, const Vector3f& inner) {
-  Plane plane{a.y() - b.y(), b.x() - a.x(), 0};
+/// Returns the edge function of the line from `a` to `b`: 0 on it, positive within a triangle of
+/// this winding, 1 or -1.
+Plane edgePlane(const Vector3f& a, const Vector3f& b, float winding) {
+  Plane plane{winding * (a.y() - b.y()), winding * (b.x() - a.x()), 0};
   plane.constant = -plane.at(a.x(), a.y());
-  if (plane.at(inner.x(), inner.y()) >= 0) return plane;
-  return {-plane.x, -plane.y, -plane.constant};
+  return plane;
 }
 
 /// A triangle's edge functions and depth.
@@ -74,12 +74,16 @@ std::optional<Coverage> coverageOf(const ScreenTriangle& triangle) {
   Plane depth{(ab.z() * ac.y() - ab.y() * ac.z()) / area,
               (ab.x() * ac.z() - ab.z() * ac.x()) / area, 0};
   depth.constant = a.z() - depth.at(a.x(), a.y());
-  return Coverage{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
+
+  // One winding for all edges: from the side, where a corner lies on its opposite edge but for
+  // rounding, edges that each turned toward that corner would bound a half of the picture
+  const float winding = area > 0 ? 1 : -1;
+  return Coverage{{edgePlane(a, b, winding), edgePlane(b, c, winding), edgePlane(c, a, winding)},
+                  depth};
 }
 
 /// The pixels of each row that can lie within a triangle's edges, and between `left` and `right`:
-/// by rounding, all edges of a triangle that is seen edge-on may have one direction and bound
-/// nothing.
+/// along a triangle that is seen edge-on, its edges bound nothing but for rounding.
 class RowSpans {
  public:
   RowSpans(const std::array<Plane, 3>& edges, float left, float right)

@@ -24,6 +24,7 @@ struct Grain {
   Eigen::Vector3d size{0, 0, 0};  ///< Along the body's axes, > 0. [m]
   float contrast = 0;             ///< Of the colour, from grain to grain; 0 for no grain. [0 to 1]
   float relief = 0;               ///< Of the height. [m]
+  friend bool operator==(const Grain&, const Grain&) = default;
 };
 
 /// Returns the number of grains along each edge of a box of that size [m]; 0 of no grain.
@@ -48,6 +49,7 @@ struct Material {
   int baseColourImage = kNoImage;      ///< Index of Surface::images; it multiplies baseColour.
   int metalRoughnessImage = kNoImage;  ///< Likewise; green multiplies roughness, blue metalness.
   Grain grain{};
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// A surface with its materials.

@@ -40,7 +40,12 @@ class MeshMaker {
 
   Mesh make() {
     Mesh mesh;
-    mesh.parts.resize(surface_.materials.size());
+    const std::vector<body::Material>& materials = surface_.materials;
+    mesh.parts.resize(materials.size());
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      const auto alike = std::ranges::find(materials, materials[i]);
+      mesh.parts[i].alike = static_cast<std::size_t>(alike - materials.begin());
+    }
     addVertices(mesh);
     for (std::uint32_t i = 0; i < triangles().size(); ++i) {
       MeshPart& part = mesh.parts[materialOf(i)];

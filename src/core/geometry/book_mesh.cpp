@@ -110,6 +110,7 @@ class MeshBuilder {
  public:
   MeshBuilder() {
     mesh_.parts.resize(kBookPartCount);
+    for (std::size_t i = 0; i < kBookPartCount; ++i) mesh_.parts[i].alike = i;
     mesh_.parts[static_cast<std::size_t>(BookPart::Lining)].hidden = true;
   }
 

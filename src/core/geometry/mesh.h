@@ -47,6 +47,7 @@ struct MeshPart {
   std::vector<std::uint8_t> stripOf;  ///< Index of each triangle's strip, or kNoStrip.
   /// True if other parts hide it, unless the body is deformed out of all shape.
   bool hidden = false;
+  std::size_t alike = 0;  ///< Index of the first part of the same material.
 };
 
 /// A mesh of triangles, grouped by part.

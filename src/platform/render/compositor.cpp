@@ -35,7 +35,8 @@ Compositor::Compositor(image::Image background, int supersample, const geometry:
     : background_(std::move(background)),
       supersample_(supersample),
       edges_(mesh),
-      edgePixels_(background_.width(), background_.height()) {
+      edgePixels_(background_.width(), background_.height()),
+      samples_(alikeSurfacesOf(mesh)) {
   if (supersample_ > 1) large_ = background_;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,14 @@ TEST(BodyMesh, HasAPartForEachMaterial) {
   std::size_t corners = 0;
   for (const MeshPart& part : mesh.parts) corners += part.triangles.size();
   EXPECT_EQ(corners, 3 * phone.mesh.triangles.size());
+}
+
+TEST(BodyMesh, KnowsPartsOfOneMaterial) {
+  body::Surface surface{.mesh = meshOf("box", {1, 1, 1})};
+  surface.materials = {{.roughness = 0.2F}, {}, {.roughness = 0.2F}, {}};
+  std::vector<std::size_t> alike;
+  for (const MeshPart& part : makeBodyMesh(surface, {1, 1, 1}).parts) alike.push_back(part.alike);
+  EXPECT_EQ(alike, (std::vector<std::size_t>{0, 1, 0, 1}));
 }
 
 TEST(BodyMesh, TurnsTextureCoordinatesUp) {

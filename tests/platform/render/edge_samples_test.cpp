@@ -12,7 +12,7 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr std::uint8_t kOne = 1, kTwo = 2;  // surfaces
+constexpr std::uint8_t kOne = 1, kTwo = 2, kThree = 3;  // surfaces
 using Pixel = std::array<std::uint8_t, 4>;
 constexpr Pixel kWhite{255, 255, 255, kOne}, kRed{255, 0, 0, kTwo}, kNothing{0, 0, 0, 0};
 
@@ -44,6 +44,7 @@ struct Scene {
   image::Image drawn = filled(kNothing);
   image::Image background = filled({0, 0, 0, 255});
   std::vector<ScreenTriangle> triangles;
+  AlikeSurfaces alike{};
 
   /// The picture, with all of columns 3 and 4 among the edges.
   image::Image resolve() {
@@ -59,7 +60,7 @@ struct Scene {
           std::ranges::copy(Pixel{pixel[0], pixel[1], pixel[2], 255}, picture.row(y) + 4 * x);
       }
     }
-    EdgeSamples().resolve(pixels, triangles, drawn, {}, background, picture);
+    EdgeSamples(alike).resolve(pixels, triangles, drawn, {}, background, picture);
     return picture;
   }
 
@@ -97,7 +98,7 @@ image::Image drawnAlone(const ScreenTriangle& triangle) {
   }
   pixels.number();
   image::Image picture(kSize, kSize, image::PixelFormat::Rgba8);
-  EdgeSamples().resolve(pixels, {&triangle, 1}, drawn, {}, picture, picture);
+  EdgeSamples({}).resolve(pixels, {&triangle, 1}, drawn, {}, picture, picture);
   return picture;
 }
 
@@ -181,6 +182,24 @@ TEST(EdgeSamples, TakeAnotherSurfaceForOneThatIsNowhereDrawn) {
   scene.drawColumns(0, 8, kRed);
   scene.triangles = {leftOf(3.25F, kOne, 0.2F), leftOf(100, kTwo)};
   EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, 0, 0, 255}));
+}
+
+// As a string beside a racket's frame, between the pixels' middles.
+TEST(EdgeSamples, TakeAnotherSurfaceOfTheMaterialForOneThatIsNowhereDrawn) {
+  Scene scene;
+  scene.drawColumns(0, 8, kRed);
+  std::ranges::copy(Pixel{255, 255, 255, kThree}, scene.drawn.row(0) + 4 * 4);
+  scene.alike = {0, kOne, kTwo, kOne};
+  scene.triangles = {leftOf(3.25F, kOne, 0.2F), leftOf(100, kTwo)};
+  const std::uint8_t quarter = shareOfWhite(0.25);
+  EXPECT_EQ(at(scene.resolve(), 3, 7), (Pixel{255, quarter, quarter, 255}));
+}
+
+TEST(EdgeSamples, TakeTheColourOfTheBodyWhereNothingIsDrawnCloseBy) {
+  Scene scene;
+  std::ranges::copy(kRed, scene.drawn.row(0) + 4 * 4);
+  scene.triangles = {leftOf(3.25F, kOne)};
+  EXPECT_EQ(at(scene.resolve(), 3, 7), (Pixel{shareOfWhite(0.25), 0, 0, 255}));
 }
 
 TEST(EdgeSamples, LeavePixelsThatTheTrianglesDoNotExplain) {

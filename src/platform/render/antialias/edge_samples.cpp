@@ -121,20 +121,6 @@ class RowSpans {
   std::array<Border, 3> lefts_, rights_;
 };
 
-/// Returns the steps from a pixel to itself and its neighbours, the nearest first.
-const std::vector<std::array<int, 2>>& neighbourSteps() {
-  static const std::vector<std::array<int, 2>> steps = [] {
-    constexpr int kReach = 4;
-    std::vector<std::array<int, 2>> all;
-    for (int y = -kReach; y <= kReach; ++y) {
-      for (int x = -kReach; x <= kReach; ++x) all.push_back({x, y});
-    }
-    std::ranges::stable_sort(all, {}, [](const auto& s) { return s[0] * s[0] + s[1] * s[1]; });
-    return all;
-  }();
-  return steps;
-}
-
 /// Adds a pixel's colour as opaque: its alpha holds a surface number.
 void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LinearAccumulator& sum) {
   const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
@@ -158,14 +144,13 @@ struct SurfaceCounts {
 /// Mixes a pixel's colour from the drawn body, its strips and the background.
 class PixelMixer {
  public:
-  PixelMixer(const EdgePixels& pixels, const image::Image& drawn, const DrawnStrips& strips,
-             const image::Image& background)
-      : pixels_(pixels), drawn_(drawn), strips_(strips), background_(background) {}
+  PixelMixer(SurfaceColours colours, const DrawnStrips& strips, const image::Image& background)
+      : colours_(std::move(colours)), strips_(strips), background_(background) {}
 
   /// Returns whether a pixel all of whose samples show `sampled` needs no mixing: it was drawn so,
   /// or it shows something that isn't among the triangles.
   bool isResolved(int x, int y, int sampled) const {
-    return sampled == 0 || sampled == surfaceAt(x, y);
+    return sampled == 0 || sampled == colours_.surfaceAt(x, y);
   }
 
   /// Sets `pixel` to the mean of its samples, or leaves it if no sample has a colour.
@@ -179,7 +164,7 @@ class PixelMixer {
         sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), count);
       } else if (surface > geometry::kMaxSurfaceId) {
         addOpaque(stripColour(x, y, surface - geometry::kMaxSurfaceId - 1).data(), count, sum);
-      } else if (const auto* colour = nearestColour(x, y, static_cast<std::uint8_t>(surface))) {
+      } else if (const auto* colour = colours_.at(x, y, static_cast<std::uint8_t>(surface))) {
         addOpaque(colour, count, sum);
       } else {
         continue;
@@ -190,16 +175,6 @@ class PixelMixer {
   }
 
  private:
-  /// Returns the surface that was drawn at a pixel; 0 for none, and outside the picture.
-  std::uint8_t surfaceAt(int x, int y) const {
-    const bool within = x >= 0 && x < drawn_.width() && y >= 0 && y < drawn_.height();
-    return within ? std::min(drawn_.row(y)[4 * x + 3], kHighest) : std::uint8_t{0};
-  }
-
-  const std::uint8_t* pixelAt(int x, int y) const {
-    return drawn_.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
-  }
-
   /// Returns a strip's colour beside a pixel's middle.
   std::array<std::uint8_t, 4> stripColour(int x, int y, int number) const {
     const ScreenStrip& strip = strips_.onScreen[static_cast<std::size_t>(number)];
@@ -222,46 +197,9 @@ class PixelMixer {
     return colour;
   }
 
-  /// Returns the colour of the nearest pixel that shows a surface; if no neighbour does, the
-  /// surface's mean colour along edges; if no pixel does, the nearest of another surface; else
-  /// null.
-  const std::uint8_t* nearestColour(int x, int y, std::uint8_t wanted) {
-    const std::uint8_t* other = nullptr;
-    for (const auto& [dx, dy] : neighbourSteps()) {
-      const std::uint8_t drawn = surfaceAt(x + dx, y + dy);
-      if (drawn == 0 || (other != nullptr && drawn != wanted)) continue;
-      if (drawn == wanted) return pixelAt(x + dx, y + dy);
-      other = pixelAt(x + dx, y + dy);
-    }
-    if (!hasMeans_) computeMeans();
-    return means_[wanted][3] > 0 ? means_[wanted].data() : other;
-  }
-
-  /// Computes each surface's mean colour over the first kMaxPixelsOfMean edge pixels that show it.
-  void computeMeans() {
-    std::array<image::LinearAccumulator, geometry::kMaxSurfaceId + 1> sums{};
-    std::array<std::uint32_t, geometry::kMaxSurfaceId + 1> counts{};
-    for (int y = 0; y < pixels_.height(); ++y) {
-      pixels_.forEach(y, 0, pixels_.width(), [&](int x, std::size_t) {
-        const std::uint8_t drawn = surfaceAt(x, y);
-        if (counts[drawn]++ < kMaxPixelsOfMean) addOpaque(pixelAt(x, y), 1, sums[drawn]);
-      });
-    }
-    for (std::size_t i = 1; i < means_.size(); ++i) {
-      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMaxPixelsOfMean), means_[i].data());
-    }
-    hasMeans_ = true;
-  }
-
-  static constexpr std::uint8_t kHighest = geometry::kMaxSurfaceId;
-  static constexpr std::uint32_t kMaxPixelsOfMean = 256;  // LinearAccumulator's limit.
-
-  const EdgePixels& pixels_;
-  const image::Image& drawn_;
+  SurfaceColours colours_;
   const DrawnStrips& strips_;
   const image::Image& background_;
-  bool hasMeans_ = false;  // Computed when first needed: seldom.
-  std::array<std::array<std::uint8_t, 4>, geometry::kMaxSurfaceId + 1> means_{};  // By surface.
 };
 
 }  // namespace
@@ -335,7 +273,7 @@ void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriang
   surfaces_.assign(pixels.count(), Samples{});
   for (const ScreenTriangle& triangle : triangles) rasterise(pixels, triangle);
 
-  PixelMixer mixer(pixels, drawn, strips, background);
+  PixelMixer mixer({alike_, pixels, drawn}, strips, background);
   for (int y = 0; y < pixels.height(); ++y) {
     pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {
       // Leave a pixel that shows one surface and was drawn so

@@ -12,6 +12,7 @@
 #include "image/image.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/strips.h"
+#include "render/antialias/surface_colours.h"
 
 namespace rotatebook::render {
 
@@ -27,6 +28,9 @@ struct ScreenTriangle {
 class EdgeSamples {
  public:
   static constexpr int kSamples = 16;  ///< Per pixel.
+
+  /// `alike`: of the body's surfaces.
+  explicit EdgeSamples(const AlikeSurfaces& alike) : alike_(alike) {}
 
   /// Replaces those of `picture`'s pixels that are among `pixels` by the mean of their samples.
   /// `drawn`: Rgba8, alpha is the surface's number, 0 where nothing was drawn. `picture` shows it
@@ -44,6 +48,7 @@ class EdgeSamples {
   /// Returns whether all samples of a pixel show one surface.
   static bool isUniform(const Samples& surfaces);
 
+  AlikeSurfaces alike_;
   std::vector<Samples> depths_, surfaces_;  // By pixel number.
 };
 

@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "pipeline/assemble.h"
 #include "store/clip_files.h"
@@ -79,7 +80,9 @@ int assembleFrames(const AssembleArguments& arguments) {
 void addAssembleCommand(CLI::App& program, Action& action) {
   auto [command, arguments] = addCommand(
       program, action, "assemble", "Make a video from PNG frames on the disk", assembleFrames);
-  command.add_option("DIR", arguments.folder, "Folder with frame_00000.png ...")->required();
+  command.add_option("DIR", arguments.folder, "Folder with frame_00000.png ...")
+      ->required()
+      ->check(notStandardInput);
   addOption(command, "-o,--output", "FILE", arguments.output,
             "Video to write: " + listFormats(&video::FormatRow::ending, "or"))
       ->required();

@@ -12,6 +12,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/option_checks.h"
 #include "pipeline/stream_clip.h"
 
 namespace rotatebook::cli {
@@ -19,7 +20,9 @@ namespace rotatebook::cli {
 void addClip(CLI::App& command, std::filesystem::path& clip) {
   const std::string kinds =
       listFormats(&video::FormatRow::title, "or", &video::FormatRow::holdsRecord);
-  command.add_option("CLIP", clip, kinds + " that rotatebook made")->required();
+  command.add_option("CLIP", clip, kinds + " that rotatebook made")
+      ->required()
+      ->check(notStandardInput);
 }
 
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {

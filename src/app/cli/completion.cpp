@@ -83,10 +83,7 @@ std::string choicesOf(const CLI::Option& option) {
     for (const video::FormatRow& row : video::kFormatRows) formats.emplace_back(row.name);
     return joined(formats, " ");
   }
-  const std::string type = option.get_type_name();
-  const std::size_t begin = type.find('{'), end = type.find('}');
-  if (end == type.npos || begin > end) return literalsOf(type);
-  return CLI::detail::find_and_replace(type.substr(begin + 1, end - begin - 1), ",", " ");
+  return literalsOf(option.get_type_name());
 }
 
 /// Returns whether an option's value may be a file beside its choices.

@@ -14,6 +14,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/scene_options.h"
 #include "interchange/motion_file.h"
 #include "system/atomic_file.h"
@@ -119,7 +120,7 @@ void addExportCommand(CLI::App& program, Action& action) {
             "Panel to write, by its label or counted from 1; by default the first");
   addOption(command, "--keys", "N", arguments.keys.keysPerSecond,
             "Keys a second of the video; by default 60, or as many more as a fast spin needs")
-      ->check(CLI::Range(1, kMaxKeys));
+      ->check(wholeNumber(1, kMaxKeys));
   command.add_flag("--tangents", arguments.keys.tangents,
                    "CUBICSPLINE keys with exact tangents, in place of LINEAR ones");
   command.add_flag("--json", arguments.json, "Print one JSON object");

@@ -14,6 +14,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/planning.h"
 #include "cli/scene_options.h"
 #include "farm/farm_report.h"
@@ -84,9 +85,6 @@ std::vector<SceneOfFile> readScenes(const SubmitArguments& arguments, const Plan
   const farm::Work work = wishes.work;
   std::vector<SceneOfFile> read;
   const auto [scenes, inputs] = readAllScenes(arguments.scenes, [&](const std::string& path) {
-    if (path == store::kStandardInput)
-      throw InputError(
-          "submit needs scenes in files, which each task reads; - is the standard input");
     scene::Scene scene = arguments.sceneOptions.read(path);
     if (work == farm::Work::Render) {
       picture::preflight(scene);
@@ -271,7 +269,7 @@ void addSubmitCommand(CLI::App& program, Action& action) {
       addCommand(program, action, "submit",
                  "Have many machines render, map or study: by Slurm or others", submit);
   command.add_option("WORK", arguments.work, "render, map or study")->required();
-  command.add_option("SCENE", arguments.scenes, "Scene files")->required();
+  command.add_option("SCENE", arguments.scenes, "Scene files")->required()->check(notStandardInput);
   addOption(command, "-o,--output", "DIR", arguments.folder, "Folder for the results")
       ->capture_default_str();
   CLI::Option* slurm =
@@ -282,9 +280,9 @@ void addSubmitCommand(CLI::App& program, Action& action) {
                    "Print what would be sent; write and send nothing");
   addOption(command, "--chunk", "N", arguments.chunk,
             "Frames or tiles of a task; by default measured")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+      ->check(wholeNumber(1, 1'000'000'000));
   addOption(command, "--cores", "N", arguments.cores, "Cores of a task")
-      ->check(CLI::Range(1, farm::kMaxCores))
+      ->check(wholeNumber(1, farm::kMaxCores))
       ->capture_default_str();
   addFormats(command, arguments.formats);
   command.add_flag("--no-mp4", arguments.noMp4, "Write no MP4")->group("Clip");
@@ -317,7 +315,9 @@ int showStatus(const StatusArguments& arguments) {
 void addStatusCommand(CLI::App& program, Action& action) {
   auto [command, arguments] = addCommand(program, action, "status",
                                          "Show what has become of what was submitted", showStatus);
-  command.add_option("DIR", arguments.folder, "Folder of the results")->capture_default_str();
+  command.add_option("DIR", arguments.folder, "Folder of the results")
+      ->capture_default_str()
+      ->check(notStandardInput);
   command.add_flag("--json", arguments.json, "Print one JSON object: scenes, tasks and jobs");
   command.footer(R"(
 Shows what is done, which machine runs what, what failed, and about when it ends: from the results

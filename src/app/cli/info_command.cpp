@@ -285,11 +285,12 @@ void printJson(const std::string& name, const std::string& title, const std::vec
 
 void showScene(const InfoArguments& options) {
   const std::string& path = options.path;
-  if (std::filesystem::path(path).extension() != ".toml")
+  if (path != system::kStandardInput && std::filesystem::path(path).extension() != ".toml")
     throw InputError(path + ": neither a scene (.toml) nor a mesh (.obj, .stl, .ply or .glb)");
   if (options.density || options.mass || options.unit != "m")
     throw InputError(
-        fmt::format("--density, --mass and --unit are a mesh's; {} has a body of its own", path));
+        fmt::format("--density, --mass and --unit are a mesh's; {} has a body of its own",
+                    system::nameOfInput(path)));
   const scene::Scene scene = options.scene.read(path);
   std::vector<Info> infos;
   for (const SpinNumbers& spin : spinNumbersOf(scene))

@@ -19,6 +19,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "diagnose/checkup.h"
@@ -179,7 +180,7 @@ void addBenchCommand(CLI::App& program, Action& action) {
   command.add_option("SCENE", arguments.scene,
                      "Scene file; by default a built-in one, a tumbling book with overlays");
   addOption(command, "--frames", "N", arguments.frames, "Frames to render, from the first")
-      ->check(CLI::Range(std::int64_t{1}, kMax))
+      ->check(wholeNumber(1, kMax))
       ->capture_default_str();
   command.add_flag(
       "--json", arguments.json,

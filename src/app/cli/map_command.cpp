@@ -16,6 +16,7 @@
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/motion_report.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "pipeline/make_film.h"
@@ -232,7 +233,7 @@ void addMapCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   addOption(command, "--threads", "N", arguments.options.execution.threads,
             "Threads to run on; by default one for each core. The results are the same")
-      ->check(CLI::Range(1, 1024));
+      ->check(wholeNumber(1, 1024));
   command.add_flag("--resume", arguments.options.resume,
                    "Go on where a map stopped, and keep values of the same settings");
   command.add_flag("--film", arguments.film,

@@ -16,6 +16,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
 #include "page/language.h"
@@ -204,7 +205,8 @@ void addPageCommand(CLI::App& program, Action& action) {
   command
       .add_option("SCENE", arguments.scenes,
                   "Scene files, in the order of the page; the first is shown large, at its top")
-      ->required();
+      ->required()
+      ->check(notStandardInput);
   addOption(command, "-o,--output", "DIR", arguments.folder,
             "Folder with the results of render and study; the page goes there, too")
       ->capture_default_str();
@@ -223,7 +225,7 @@ void addPageCommand(CLI::App& program, Action& action) {
           "--pack-crf", arguments.packCrf,
           "Rate factor of packed clips: at 22, clips are three times as large as at 33, and "
           "verify still proves their pictures")
-      ->check(CLI::Range(kBestCrf, kWorstCrf))
+      ->check(wholeNumber(kBestCrf, kWorstCrf))
       ->capture_default_str()
       ->needs("--pack");
   command.add_flag("--no-thumbnails", arguments.noThumbnails,

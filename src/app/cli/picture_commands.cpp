@@ -14,6 +14,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/scene_options.h"
 #include "cli/terminal.h"
 #include "image/comparison.h"
@@ -122,14 +123,14 @@ void addStillCommand(CLI::App& program, Action& action) {
   addOption(command, "--count", "N", arguments.count,
             "Number of frames of each scene, side by side, from its first to its last; 1 "
             "draws its poster")
-      ->check(CLI::Range(1, kMax));
+      ->check(wholeNumber(1, kMax));
   addOption(command, "--times", "SECONDS,...", arguments.sheet.times,
             "Times of the frames in the video, in place of --count")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->excludes("--count");
   addOption(command, "--columns", "N", arguments.sheet.columns, "Pictures in a row")
-      ->check(CLI::Range(1, kMax));
+      ->check(wholeNumber(1, kMax));
   command.add_flag("--no-caption", arguments.noCaption, "Leave the caption out of the pictures");
   arguments.sceneOptions.addTo(command);
   arguments.deviceOptions.addTo(command);
@@ -179,15 +180,15 @@ int diff(const DiffArguments& arguments) {
 
 void addDiffCommand(CLI::App& program, Action& action) {
   auto [command, arguments] = addCommand(program, action, "diff", "Compare two pictures", diff);
-  command.add_option("A", arguments.first, "PNG")->required();
-  command.add_option("B", arguments.second, "PNG")->required();
+  command.add_option("A", arguments.first, "PNG")->required()->check(notStandardInput);
+  command.add_option("B", arguments.second, "PNG")->required()->check(notStandardInput);
   addOption(command, "--max", "N", arguments.tolerance.largest,
             "A pixel differs if a channel differs by more than this")
-      ->check(CLI::Range(0, 255))
+      ->check(wholeNumber(0, 255))
       ->capture_default_str();
   addOption(command, "--fail-percent", "P", arguments.tolerance.failPercent,
             "The pictures differ if more than this share of the pixels does")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(numberWithin(0, 100))
       ->capture_default_str();
   addOption(command, "-o,--output", "FILE", arguments.output,
             "PNG of the differences, 16 times enlarged");

@@ -21,6 +21,7 @@
 #include "cli/crash_handler.h"
 #include "cli/exit_code.h"
 #include "cli/manual_page.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "cli/terminal.h"
 #include "cli/usage.h"
@@ -81,12 +82,6 @@ class HelpFormatter : public CLI::Formatter {
   bool isForTerminal_;
 };
 
-/// Returns why `path` can't be the value of --output; empty if it can.
-std::string outputProblem(const std::string& path) {
-  if (path != "-") return "";
-  return "nothing is written to the standard output; a file or folder named - is written ./-";
-}
-
 /// Has the checks of `option`, which takes one value, look at its last one alone: that one counts.
 void checkLastAlone(CLI::Option& option) {
   try {
@@ -94,12 +89,6 @@ void checkLastAlone(CLI::Option& option) {
   } catch (const CLI::OptionNotFound&) {
     return;  // There is no other way to learn how many checks it has.
   }
-}
-
-/// Returns why `text` can't be the value of --progress; empty if it can.
-std::string progressProblem(const std::string& text) {
-  if (text == "bar" || text == "json" || text == "none") return "";
-  return "must be bar, json or none, not " + quotedText(text);
 }
 
 /// The options that all commands have.
@@ -120,10 +109,12 @@ void addCommonOptions(CLI::App& program, CommonArguments& arguments) {
               "How progress is shown on the standard error: as a bar, or plain lines where there "
               "is no terminal; as lines of JSON; not at all",
               kGroup)
-        ->check(progressProblem);
-    CLI::Option* output = command->get_option_no_throw("--output");
-    const bool takesPictures = command->get_name() == "still" || command->get_name() == "render";
-    if (output != nullptr && !takesPictures) output->check(outputProblem);
+        ->check(oneOf({"bar", "json", "none"}));
+    const bool printsPictures = command->get_name() == "still" || command->get_name() == "render";
+    for (const char* name : {"--output", "--pack", "--junit", "--again"}) {
+      CLI::Option* output = command->get_option_no_throw(name);
+      if (output != nullptr && !printsPictures) output->check(notStandardOutput);
+    }
     for (CLI::Option* option : command->get_options()) {
       if (option->get_expected_max() == 1) checkLastAlone(*option);
     }

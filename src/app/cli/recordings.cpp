@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,9 +12,9 @@
 #include <fmt/core.h>
 
 #include "base/error.h"
-#include "base/parsed_number.h"
 #include "base/text.h"
 #include "cli/commands.h"
+#include "cli/option_checks.h"
 #include "recording/columns.h"
 #include "recording/csv_table.h"
 #include "system/read_file.h"
@@ -41,9 +40,9 @@ struct Entry {
 
 std::string bytesAt(const std::string& path) {
   try {
-    return system::readFile(path, recording::kLargestRecording);
+    return system::readFileOrInput(path, recording::kLargestRecording);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: can't be read: {}", path, error.what()));
+    throw InputError(fmt::format("{}: can't be read: {}", system::nameOfInput(path), error.what()));
   }
 }
 
@@ -243,19 +242,22 @@ RecordingFiles openRecording(const std::string& path, const std::string& acceler
                              const recording::ReadOptions& options) {
   RecordingFiles files;
   std::error_code error;
-  if (fs::is_directory(path, error)) {
+  const std::string name = system::nameOfInput(path);
+  if (path != system::kStandardInput && fs::is_directory(path, error)) {
     files = chosenOf(path, tablesInFolder(path), options);
     files.path = files.motion.name;
   } else {
     std::string bytes = bytesAt(path);
     if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) {
-      files = chosenOf(path, tablesInArchive(bytes, path), options);
+      files = chosenOf(name, tablesInArchive(bytes, name), options);
     } else {
-      files.motion = {path, std::move(bytes)};
+      files.motion = {name, std::move(bytes)};
       files.path = path;
     }
   }
-  if (!acceleration.empty()) files.acceleration = TableFile{acceleration, bytesAt(acceleration)};
+  if (!acceleration.empty()) {
+    files.acceleration = TableFile{system::nameOfInput(acceleration), bytesAt(acceleration)};
+  }
   return files;
 }
 
@@ -264,12 +266,12 @@ void RecordingOptions::addTo(CLI::App& command) {
   addOption(command, "--from", "SECONDS", options.from,
             "Where the motion starts, of the file's times", kGroup);
   addOption(command, "--to", "SECONDS", options.to, "Where it ends, likewise", kGroup);
-  addOption(command, "--rates", "UNIT", options.unit,
-            "Unit of a gyroscope's rates, rad/s or deg/s, if the header has none", kGroup)
-      ->check(CLI::IsMember({"rad/s", "deg/s"}));
-  addOption(command, "--time-unit", "UNIT", options.timeUnit,
-            "Unit of the file's times, s, ms, us, ns or min, if the header has none", kGroup)
-      ->check(CLI::IsMember({"s", "ms", "us", "ns", "min"}));
+  addOption(command, "--rates", "rad/s|deg/s", options.unit,
+            "Unit of a gyroscope's rates, if the header has none", kGroup)
+      ->check(oneOf({"rad/s", "deg/s"}));
+  addOption(command, "--time-unit", "s|ms|us|ns|min", options.timeUnit,
+            "Unit of the file's times, if the header has none", kGroup)
+      ->check(oneOf({"s", "ms", "us", "ns", "min"}));
   repeated(addOption(command, "--column", "HOLDS=NAME", columns,
                      "A column without a usual name, e.g. --column \"wx=Gyro X\"; may be repeated",
                      kGroup));
@@ -288,12 +290,6 @@ recording::ReadOptions RecordingOptions::read() const {
     result.columns.emplace_back(role, column.substr(middle + 1));
   }
   return result;
-}
-
-std::string notNegative(const std::string& text) {
-  const auto number = parsedNumber<double>(text);
-  return number >= 0 && std::isfinite(*number) ? ""
-                                               : oneLine(text, 40) + " must be a number, 0 or more";
 }
 
 Eigen::Vector3d threeNumbers(const std::string& text, const char* option) {

@@ -33,12 +33,12 @@ struct RecordingFiles {
   recording::NamedTable accelerationTable_;
 };
 
-/// Reads the recording at `path`: a table, or a folder or ZIP archive with tables (.csv, .tsv,
-/// .txt), of which those are taken whose columns are a gyroscope's, or else attitudes, and an
-/// accelerometer's; folders in it called "meta" are skipped. `acceleration` is the path of the
-/// latter's table; empty if none is stated. Throws InputError "FILE: PROBLEM" for what can't be
-/// read, for more than 1000 entries, 64 tables or 64 MiB of them, for a table of more than
-/// recording::kLargestRecording, and if none or several tables are a gyroscope's.
+/// Reads the recording at `path`, or system::kStandardInput: a table, or a folder or ZIP archive
+/// with tables (.csv, .tsv, .txt), of which those are taken whose columns are a gyroscope's, or
+/// else attitudes, and an accelerometer's; folders in it called "meta" are skipped. `acceleration`
+/// is the path of the latter's table; empty if none is stated. Throws InputError "FILE: PROBLEM"
+/// for what can't be read, for more than 1000 entries, 64 tables or 64 MiB of them, for a table of
+/// more than recording::kLargestRecording, and if none or several tables are a gyroscope's.
 RecordingFiles openRecording(const std::string& path, const std::string& acceleration,
                              const recording::ReadOptions& options);
 
@@ -51,9 +51,6 @@ struct RecordingOptions {
   /// Returns the options. Throws InputError for a column that isn't HOLDS=NAME.
   recording::ReadOptions read() const;
 };
-
-/// Returns the problem of an option's number that isn't 0 or more; empty if there is none.
-std::string notNegative(const std::string& text);
 
 /// Returns three numbers over 0, such as "0.004,0.002,0.005". Throws InputError that names
 /// `option`.

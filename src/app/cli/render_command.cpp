@@ -12,6 +12,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
+#include "cli/option_checks.h"
 #include "cli/render_scenes.h"
 #include "cli/scene_options.h"
 #include "cli/stream_scene.h"
@@ -106,8 +107,7 @@ void refuseOtherThanStream(const RenderArguments& arguments) {
   if (arguments.scenes.size() > 1 || arguments.outputs.size() > 1) {
     throw InputError(
         "--output -: the standard output takes the pictures of one scene, and no other output may "
-        "be "
-        "named beside it");
+        "be named beside it");
   }
   for (const CLI::Option* option : arguments.ofFiles) {
     if (option->count() == 0) continue;
@@ -204,7 +204,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
   addOption(command, "-j,--jobs", "N", arguments.atATime,
             "Scenes to render at a time; by default two, or one for every 3 cores, as many as fit "
             "in a quarter of the memory")
-      ->check(CLI::Range(1, 64));
+      ->check(wholeNumber(1, 64));
   command.add_flag("--json", arguments.style.json,
                    "Print one JSON object: what was made and measured");
   command.add_flag("-v,--verbose", arguments.style.isDetailed,

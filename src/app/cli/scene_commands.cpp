@@ -18,6 +18,7 @@
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/motion_report.h"
+#include "cli/option_checks.h"
 #include "cli/scene_options.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
@@ -133,7 +134,7 @@ int checkScenes(const CheckArguments& arguments) {
     file.notes = notes;
     if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
     if (arguments.json) continue;
-    const std::string& name = path == store::kStandardInput ? file.scene->name : path;
+    const std::string name = system::nameOfInput(path);
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(name) + ": ok\n");
   }
   if (arguments.json) printJson(files, checkJson);
@@ -198,7 +199,9 @@ Examples:
 void addListCommand(CLI::App& program, Action& action) {
   auto [command, arguments] =
       addCommand(program, action, "list", "List the scenes below a folder", listScenes);
-  command.add_option("DIR", arguments.folder, "Folder")->capture_default_str();
+  command.add_option("DIR", arguments.folder, "Folder")
+      ->capture_default_str()
+      ->check(notStandardInput);
   command.add_flag("--json", arguments.json,
                    "Print one JSON object: each scene's title, length and size");
   command.footer("\nExample:\n  rotatebook list scenes/figures");
@@ -260,7 +263,9 @@ int writeNewScene(const std::string& file) {
 void addNewCommand(CLI::App& program, Action& action) {
   auto [command, file] =
       addCommand(program, action, "new", "Write a commented scene to begin with", writeNewScene);
-  command.add_option("FILE", file, "Scene file to write, NAME.toml")->required();
+  command.add_option("FILE", file, "Scene file to write, NAME.toml")
+      ->required()
+      ->check(notStandardOutput);
   command.footer("\nAn existing file is never overwritten.\n\nExample:\n  rotatebook new my.toml");
 }
 

@@ -22,6 +22,7 @@
 #include "store/fingerprint.h"
 #include "store/scene_file.h"
 #include "store/scene_name.h"
+#include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -241,7 +242,7 @@ void addNoExpect(CLI::App& command, bool& noExpect) {
 
 void requireMap(const scene::Scene& scene, const std::string& path) {
   if (scene.map) return;
-  throw InputError(path +
+  throw InputError(system::nameOfInput(path) +
                    ": the scene has no [map], which says what to run for each pixel; see "
                    "scenes/maps/ and docs/scene.md");
 }

@@ -16,9 +16,11 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/option_checks.h"
 #include "cli/recordings.h"
 #include "recording/toss.h"
 #include "system/atomic_file.h"
+#include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -234,6 +236,11 @@ std::string pathInScene(const TossArguments& arguments, const RecordingFiles& fi
     throw InputError(fmt::format("{}: a scene reads no archive; unpack {}, and toss the folder",
                                  arguments.scene, arguments.file));
   }
+  if (files.path == system::kStandardInput) {
+    throw InputError(
+        fmt::format("{}: a scene reads a file; save the recording, and toss that instead of -",
+                    arguments.scene));
+  }
   requireAbsent(arguments.scene);
   return pathFrom(arguments.scene, files.path);
 }
@@ -267,8 +274,10 @@ void addTossCommand(CLI::App& program, Action& action) {
       addCommand(program, action, "toss",
                  "Find a body's inertia from the gyroscope that flew with it", fitAndReport);
   command
-      .add_option("FILE", arguments.file,
-                  "Table of the rates (CSV), or a phone's export: a folder, or ZIP")
+      .add_option(
+          "FILE", arguments.file,
+          "Table of the rates (CSV), or a phone's export: a folder, or ZIP; - is the standard "
+          "input")
       ->required();
   CLI::Option* const acceleration =
       addOption(command, "--acceleration", "FILE", arguments.acceleration,

@@ -5,8 +5,11 @@
 #include <filesystem>
 #include <vector>
 
+#include <fmt/core.h>
+
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "cli/option_checks.h"
 #include "scene/key_rows.h"
 
 namespace rotatebook::cli {
@@ -103,11 +106,23 @@ const CLI::Option* misgiven(CLI::App& command) {
   return nullptr;
 }
 
+/// Returns the parser's words for an option that was given no value, or a wrong one, as ours.
+std::string asOurs(const CLI::App& command, const std::string& words) {
+  const std::size_t end = words.find(": ");
+  if (end == words.npos) return words;
+  const std::string name = words.substr(0, end), problem = words.substr(end + 2);
+  if (problem.starts_with(kMust)) return name + ' ' + problem;
+  const CLI::Option* option = command.get_option_no_throw(name);
+  if (option == nullptr || !problem.ends_with(" missing")) return words;
+  const std::string type = option->get_type_name();
+  return fmt::format("{0} needs a value: {0} {1}", name, type.substr(0, type.find(':')));
+}
+
 /// Returns what is wrong with an option's value.
 std::string valueProblem(CLI::App& command, const CLI::Error& error) {
   const bool isOfType = dynamic_cast<const CLI::ConversionError*>(&error) == nullptr;
   const CLI::Option* option = isOfType ? nullptr : misgiven(command);
-  if (option == nullptr) return echoed(error.what());
+  if (option == nullptr) return echoed(asOurs(command, error.what()));
   const std::string name = option->get_name(), value = joined(option->results(), ",");
   const bool areSeveral = value.find(',') != value.npos && command.get_option_no_throw(name + "s");
   return name + " must be a number, and is " + quotedText(echoed(value)) +

@@ -16,6 +16,7 @@
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
+#include "cli/option_checks.h"
 #include "cli/progress_line.h"
 #include "cli/render_scenes.h"
 #include "pipeline/verify/verify_clip.h"
@@ -273,7 +274,7 @@ void addVerifyCommand(CLI::App& program, Action& action) {
                 "Frames whose pictures are compared, e.g. 0,10,20; by default one of each "
                 "sixth of the clip, chosen by the motion's checksum")
           ->delimiter(',')
-          ->check(CLI::Range(std::int64_t{0}, kMax))
+          ->check(wholeNumber(0, kMax))
           ->allow_extra_args(false);
   CLI::Option* all = command.add_flag("--all", arguments.options.allFrames, "Compare all pictures");
   all->excludes(frames);

@@ -23,6 +23,7 @@
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/live_follower.h"
+#include "cli/option_checks.h"
 #include "cli/scene_options.h"
 #include "picture/still.h"
 #include "store/scene_file.h"
@@ -120,8 +121,6 @@ void drawAnew(const WatchArguments& arguments, const Shown& shown, WatchedFiles&
 }
 
 int watchScene(const WatchArguments& arguments) {
-  if (arguments.scene == store::kStandardInput)
-    throw InputError("the standard input can't be watched; name a scene's file");
   store::requireScene(arguments.scene);
   const Shown shown = shownOf(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
@@ -144,7 +143,7 @@ void addWatchCommand(CLI::App& program, Action& action) {
   auto [command, arguments] = addCommand(
       program, action, "watch",
       "Draw a still, and play the live book, anew whenever a scene is saved", watchScene);
-  command.add_option("SCENE", arguments.scene, "Scene file")->required();
+  command.add_option("SCENE", arguments.scene, "Scene file")->required()->check(notStandardInput);
   addOption(command, "-o,--output", "FILE", arguments.output,
             "PNG to write; by default NAME.png in the folder where you are");
   addOption(command, "--time", "SECONDS", arguments.time,

@@ -1,7 +1,6 @@
 #include "store/scene_file.h"
 
 #include <algorithm>
-#include <iostream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -63,26 +62,14 @@ void readMotionFiles(scene::Scene& scene) {
 
 std::string readSceneText(const fs::path& path) {
   try {
-    return system::readFile(path, document::kLongestToml);
+    return system::readFileOrInput(path, document::kLongestToml);
   } catch (const InputError& error) {
-    document::failAt(path.string(), std::string("can't be read: ") + error.what());
+    document::failAt(system::nameOfInput(path.string()),
+                     std::string("can't be read: ") + error.what());
   }
 }
 
 namespace {
-
-/// Reads the standard input to its end. Throws InputError.
-std::string readStandardInput() {
-  std::string text;
-  for (char piece[1 << 12]; std::cin.read(piece, sizeof(piece)) || std::cin.gcount() > 0;) {
-    text.append(piece, static_cast<std::size_t>(std::cin.gcount()));
-    if (text.size() <= document::kLongestToml) continue;
-    document::failAt(kNameOfInput,
-                     fmt::format("is longer than {} bytes, the limit", document::kLongestToml));
-  }
-  if (text.empty()) document::failAt(kNameOfInput, "the standard input is empty, or was read");
-  return text;
-}
 
 scene::Scene parsedScene(const std::string& text, const fs::path& path,
                          std::span<const std::string> overrides, bool allowOutside) {
@@ -108,10 +95,9 @@ void requireScene(const fs::path& path) {
 
 scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
                        bool allowOutside) {
-  if (path == kStandardInput)
-    return parsedScene(readStandardInput(), kNameOfInput, overrides, allowOutside);
-  requireScene(path);
-  return parsedScene(readSceneText(path), path, overrides, allowOutside);
+  if (path != system::kStandardInput) requireScene(path);
+  return parsedScene(readSceneText(path), system::nameOfInput(path.string()), overrides,
+                     allowOutside);
 }
 
 }  // namespace rotatebook::store

@@ -9,11 +9,7 @@
 
 namespace rotatebook::store {
 
-/// The path of the scene that is read from the standard input, and the name that it has.
-inline constexpr const char* kStandardInput = "-";
-inline constexpr const char* kNameOfInput = "stdin";
-
-/// Reads and validates a scene file, or that of kStandardInput in the working folder; see
+/// Reads and validates a scene file, or that of system::kStandardInput in the working folder; see
 /// scene::parseScene(). Throws InputError, also for a name that problemOfName() refuses; for a
 /// missing file, the message suggests the nearest existing name. The file that overlay.words may
 /// name is within the scene's folder, unless `allowOutside`, which the scene gets, too.
@@ -28,8 +24,8 @@ void requireScene(const std::filesystem::path& path);
 /// they don't leave unless Scene::allowOutside; see scene::readMotionFiles().
 void readMotionFiles(scene::Scene& scene);
 
-/// Reads the text of a scene file without parsing it. Throws InputError if it can't be read or is
-/// longer than document::kLongestToml.
+/// Reads the text of a scene file, or system::kStandardInput, without parsing it. Throws InputError
+/// if it can't be read or is longer than document::kLongestToml.
 std::string readSceneText(const std::filesystem::path& path);
 
 }  // namespace rotatebook::store

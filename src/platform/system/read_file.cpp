@@ -25,6 +25,10 @@ namespace {
 
 }  // namespace
 
+std::string nameOfInput(const std::string& path) {
+  return path == kStandardInput ? kNameOfInput : path;
+}
+
 FileDescriptor openFile(const std::filesystem::path& path) {
   // O_NONBLOCK: otherwise opening a pipe waits for its writer.
   FileDescriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
@@ -50,6 +54,28 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t limit) {
   };
   if (!readBlocks(file, take)) throwLastError(path, "read");
   return bytes;
+}
+
+namespace {
+
+std::string readStandardInput(std::uintmax_t limit) {
+  std::string bytes;
+  for (char block[1 << 16];;) {
+    const ssize_t size = read(STDIN_FILENO, block, sizeof(block));
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) fail(errno);
+    if (size == 0) break;
+    bytes.append(block, static_cast<std::size_t>(size));
+    if (bytes.size() > limit) failLong(fmt::format("over {}", limit), limit);
+  }
+  if (bytes.empty()) throw InputError("it is empty, or was read already");
+  return bytes;
+}
+
+}  // namespace
+
+std::string readFileOrInput(const std::filesystem::path& path, std::uintmax_t limit) {
+  return path == kStandardInput ? readStandardInput(limit) : readFile(path, limit);
 }
 
 std::string readInput(const std::filesystem::path& path, std::uintmax_t limit) {

@@ -9,6 +9,13 @@
 
 namespace rotatebook::system {
 
+/// The path of what is read from the standard input, and the name that it has.
+inline constexpr const char* kStandardInput = "-";
+inline constexpr const char* kNameOfInput = "stdin";
+
+/// Returns `path`, or kNameOfInput for kStandardInput.
+std::string nameOfInput(const std::string& path);
+
 /// Opens a file for reading. Throws InputError, with the reason alone, if it doesn't exist or is a
 /// folder, a device or a pipe, for which it doesn't wait.
 FileDescriptor openFile(const std::filesystem::path& path);
@@ -18,7 +25,12 @@ FileDescriptor openFile(const std::filesystem::path& path);
 /// `path`: CAUSE" if the disk fails.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);
 
-/// Returns the same. What it throws says, whatever failed, "can't read `path`: " and the reason.
+/// Returns the same; of kStandardInput all that it has. Throws InputError with the reason alone,
+/// also if that is nothing.
+std::string readFileOrInput(const std::filesystem::path& path, std::uintmax_t limit);
+
+/// Returns the same as readFile(). What it throws says, whatever failed, "can't read `path`: " and
+/// the reason.
 std::string readInput(const std::filesystem::path& path, std::uintmax_t limit);
 
 /// Returns all bytes of `path`; empty if it doesn't exist, isn't a file of at most `limit` bytes,

@@ -24,10 +24,7 @@ class BadInput : public ProgramTest {
   /// nothing.
   std::string refusalOf(const std::string& words) const {
     SCOPED_TRACE(words);
-    ChildSettings settings;
-    settings.folder = folder();
-    const ChildResult result =
-        runChild("/bin/sh", {"-c", "exec \"$0\" " + words, ROTATEBOOK_PROGRAM}, settings);
+    const ChildResult result = runWords(words);
     EXPECT_EQ(result.status, 2);
     EXPECT_THAT(result.output, IsEmpty());
     EXPECT_THAT(files(), IsEmpty());

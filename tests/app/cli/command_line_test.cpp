@@ -237,7 +237,7 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
                 "Run 'rotatebook doctor" +
                     advice);
   expectRefused({"render", "tiny.toml", "--size"},
-                "rotatebook: --size: 1 required WxH missing\nRun 'rotatebook render" + advice);
+                "rotatebook: --size needs a value: --size WxH\nRun 'rotatebook render" + advice);
   expectRefused({"verify", "x.mp4", "--all", "--frames", "0"},
                 "rotatebook: --frames excludes --all\n"
                 "Run 'rotatebook verify" +
@@ -262,11 +262,47 @@ TEST_F(CommandLine, RefusesWrongNumbers) {
                 "rotatebook: --time must be a number, and is \"0.1,0.2\"; --times takes several\n"
                 "Run 'rotatebook still --help' for more information.\n");
   expectRefused({"render", "tiny.toml", "--jobs", "0"},
-                "rotatebook: --jobs: Value 0 not in range 1 to 64\n"
+                "rotatebook: --jobs must be a whole number from 1 to 64, not 0\n"
                 "Run 'rotatebook render --help' for more information.\n");
   expectRefused({"diff", "a.png", "b.png", "--max", "256"},
-                "rotatebook: --max: Value 256 not in range 0 to 255\n"
+                "rotatebook: --max must be a whole number from 0 to 255, not 256\n"
                 "Run 'rotatebook diff --help' for more information.\n");
+}
+
+TEST_F(CommandLine, RefusesWrongWords) {
+  expectRefused({"judge", "a.csv", "--rates", "deg"},
+                "rotatebook: --rates must be rad/s or deg/s, not \"deg\"; did you mean \"deg/s\"?\n"
+                "Run 'rotatebook judge --help' for more information.\n");
+  expectRefused({"check", "tiny.toml", "--progress", "x"},
+                "rotatebook: --progress must be bar, json or none, not \"x\"\n"
+                "Run 'rotatebook check --help' for more information.\n");
+}
+
+// Each command's first argument is read from the standard input, or refused with the remedy.
+TEST_F(CommandLine, KnowsTheStandardInput) {
+  const std::string refusal =
+      ": the standard input isn't read here; name a file or folder; one that is named - is written "
+      "./-\n";
+  for (const auto& [words, name] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"verify", "-"}, "CLIP"},
+           {{"watch", "-"}, "SCENE"},
+           {{"page", "-"}, "SCENE"},
+           {{"submit", "render", "-", "--plan", "list"}, "SCENE"},
+           {{"status", "-"}, "DIR"},
+           {{"list", "-"}, "DIR"},
+           {{"assemble", "-", "-o", "x.mp4"}, "DIR"},
+           {{"diff", "-", "a.png"}, "A"},
+           {{"diff", "a.png", "-"}, "B"}}) {
+    expectRefused(words, "rotatebook: " + name + refusal + "Run 'rotatebook " + words.front() +
+                             " --help' for more information.\n");
+  }
+  for (const std::string command : {"simulate", "info", "judge", "check", "export", "still"}) {
+    const ChildResult result = runWords(command + " - < tiny.toml");
+    EXPECT_EQ(result.status, 0) << command << result.error;
+    EXPECT_THAT(result.output, HasSubstr("stdin")) << command;
+    EXPECT_THAT(runWords(command + " - < /dev/null").error,
+                StartsWith("rotatebook: stdin: can't be read: it is empty, or was read already\n"));
+  }
 }
 
 TEST_F(CommandLine, TheLastOfARepeatedOptionWins) {

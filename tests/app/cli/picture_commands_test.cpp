@@ -99,7 +99,8 @@ TEST_F(SheetCommand, ReadsASceneFromAPipeAndWritesThePictureIntoOne) {
   EXPECT_EQ(shell("echo 'a = 1' | " + program + "check - 2> said.txt"), 2);
   EXPECT_THAT(read("said.txt"), StartsWith("rotatebook: stdin:1:1: "));
   EXPECT_EQ(shell(program + "check - - < tiny.toml > said.txt 2>&1"), 2);
-  EXPECT_THAT(read("said.txt"), HasSubstr("stdin: the standard input is empty, or was read"));
+  EXPECT_THAT(read("said.txt"),
+              HasSubstr("stdin: can't be read: it is empty, or was read already"));
   EXPECT_EQ(shell(program + "submit render - --plan list < tiny.toml 2> said.txt"), 2);
 }
 

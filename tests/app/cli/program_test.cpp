@@ -38,6 +38,12 @@ ChildResult ProgramTest::run(const std::vector<std::string>& arguments,
   return runChild(ROTATEBOOK_PROGRAM, arguments, settings);
 }
 
+ChildResult ProgramTest::runWords(const std::string& words) const {
+  ChildSettings settings;
+  settings.folder = folder_;
+  return runChild("/bin/sh", {"-c", "exec \"$0\" " + words, ROTATEBOOK_PROGRAM}, settings);
+}
+
 ChildResult ProgramTest::runWithoutGraphics(const std::vector<std::string>& arguments) const {
   ChildSettings settings;
   settings.environment.emplace_back(kNoGraphics);

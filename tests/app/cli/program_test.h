@@ -34,6 +34,8 @@ class ProgramTest : public ::testing::Test {
   /// Runs the program in the folder.
   ChildResult run(const std::vector<std::string>& arguments) const;
   ChildResult run(const std::vector<std::string>& arguments, ChildSettings settings) const;
+  /// Runs the program in the folder with words as a shell takes them, as "check - < a.toml".
+  ChildResult runWords(const std::string& words) const;
   /// Runs the program in the folder, without graphics.
   ChildResult runWithoutGraphics(const std::vector<std::string>& arguments) const;
 

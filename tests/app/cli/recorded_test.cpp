@@ -51,6 +51,20 @@ TEST_F(Recorded, AreJudged) {
             HasSubstr("3 of 3 flips"), HasSubstr("simbody.csv: agrees with the exact motion")));
 }
 
+TEST_F(Recorded, AreReadFromTheStandardInput) {
+  const ChildResult judged = runWords("judge - --size 0.15,0.22,0.04 --to 10 < simbody.csv");
+  EXPECT_EQ(judged.status, 0) << judged.error;
+  EXPECT_THAT(judged.output, HasSubstr("stdin: agrees with the exact motion\n"));
+  EXPECT_THAT(runWords("judge - < simbody.csv").error,
+              HasSubstr("\n  - is a scene here; a table needs --inertia or --size\n"));
+  fs::copy_file(fs::path(ROTATEBOOK_SOURCE) / "docs/toss.csv", folder() / "toss.csv");
+  EXPECT_THAT(runWords("toss - < toss.csv").output, HasSubstr("stdin: flight from 1.22 to 1.98 s"));
+  EXPECT_EQ(
+      runWords("toss - -o toss.toml < toss.csv").error,
+      "rotatebook: toss.toml: a scene reads a file; save the recording, and toss that instead "
+      "of -\n");
+}
+
 TEST_F(Recorded, AreJudgedByBounds) {
   const std::vector<std::string> bounds{"--max-error-deg", "1",    "--max-energy-drift", "0.01",
                                         "--max-L-drift",   "0.01", "--half-turns"};
@@ -207,7 +221,7 @@ TEST_F(Recorded, TossesTellTheInertiaAndWriteAScene) {
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--json"}).output,
               AllOf(HasSubstr(R"("I1_over_I3":{"value":0.315)"), HasSubstr(R"("readings":)")));
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--lever", "-1"}).error,
-              HasSubstr("-1 must be a number, 0 or more"));
+              HasSubstr("--lever must be a number, 0 or more, not -1"));
 }
 
 TEST_F(Recorded, JudgingReplacesItsOwnReportAlone) {

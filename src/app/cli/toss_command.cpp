@@ -208,6 +208,7 @@ struct TossArguments {
   std::string file, acceleration, scene;
   RecordingOptions recording;
   recording::TossOptions options;
+  const CLI::Option* lever = nullptr;
   bool list = false;
   bool json = false;
 };
@@ -245,6 +246,16 @@ std::string pathInScene(const TossArguments& arguments, const RecordingFiles& fi
   return pathFrom(arguments.scene, files.path);
 }
 
+/// Throws InputError if --lever is given where no flight is searched by an accelerometer.
+void refuseIdleLever(const TossArguments& arguments, bool hasForce) {
+  if (arguments.lever->count() == 0) return;
+  const recording::ReadOptions& stated = arguments.recording.options;
+  if (!stated.from && !stated.to && hasForce) return;
+  throw InputError(
+      fmt::format("--lever is for the search for the flight by an accelerometer, {}; leave it out",
+                  hasForce ? "and --from and --to state it" : "and the recording has none"));
+}
+
 int fitAndReport(const TossArguments& arguments) {
   const recording::ReadOptions options = arguments.recording.read();
   RecordingFiles files = openRecording(arguments.file, arguments.acceleration, options);
@@ -254,6 +265,7 @@ int fitAndReport(const TossArguments& arguments) {
   toss.to = options.to;
   const recording::InertialRecording recording = recording::readInertial(
       files.motion.bytes, files.motion.name, options, files.accelerationTable());
+  refuseIdleLever(arguments, recording.hasForce);
   if (arguments.list) {
     (arguments.json ? reportThrowsAsJson : reportThrows)(
         recording::findThrows(recording, files.motion.name, toss), files.motion.name, std::cout);
@@ -291,11 +303,11 @@ void addTossCommand(CLI::App& program, Action& action) {
       ->excludes(scene)
       ->excludes(acceleration);
   command.add_flag("--json", arguments.json, "Print one JSON object");
-  addOption(command, "--lever", "METRES", arguments.options.lever,
-            "Largest distance of the accelerometer from the centre of mass")
-      ->check(notNegative)
-      ->capture_default_str()
-      ->excludes("--list");
+  arguments.lever = addOption(command, "--lever", "METRES", arguments.options.lever,
+                              "Largest distance of the accelerometer from the centre of mass")
+                        ->check(notNegative)
+                        ->capture_default_str()
+                        ->excludes("--list");
   arguments.recording.addTo(command);
   command.footer(R"(
 Prints the ratios of the principal moments with intervals that hold in 95 of 100 tosses by noise

@@ -106,6 +106,20 @@ TEST_F(RecordingFiles, ListTheirThrows) {
   EXPECT_THAT(toss({"phyphox", "--list", "--json"}).output, HasSubstr("\"accepted\":true"));
 }
 
+TEST_F(RecordingFiles, TakeALeverWhereTheFlightIsSearchedByIt) {
+  writeFolder("phyphox", phyphoxExport());
+  const std::string refusal =
+      "rotatebook: --lever is for the search for the flight by an "
+      "accelerometer, and ";
+  EXPECT_EQ(toss({"phyphox", "--lever", "0.04"}).status, 0);
+  for (const char* bound : {"--from", "--to"}) {
+    EXPECT_EQ(toss({"phyphox", "--lever", "0.04", bound, "1.5"}).error,
+              refusal + "--from and --to state it; leave it out\n");
+  }
+  EXPECT_EQ(toss({"phyphox/Gyroscope.csv", "--lever", "0.04"}).error,
+            refusal + "the recording has none; leave it out\n");
+}
+
 TEST_F(RecordingFiles, OfSensorLoggerGiveTheRatios) {
   const Files phyphox = phyphoxExport();
   Files files{{"Metadata.csv", "version,device name\n3,phone\n"}};

@@ -53,6 +53,10 @@ bool isWholeClip(const Plan& plan, const PlannedScene& scene) {
   return plan.work == Work::Render && scene.parts == 1;
 }
 
+bool makesWholeClips(const Plan& plan, const Task& task) {
+  return isWholeClip(plan, plan.scenes[task.scenes.front()]);
+}
+
 bool leavesFrames(const Plan& plan) {
   return std::ranges::count(plan.joinArguments, kNoPng) == 0;
 }
@@ -104,10 +108,6 @@ std::vector<std::string> wholeCommandOf(const Plan& plan, const std::vector<std:
 /// Returns how many clips a task renders at a time.
 int clipsAtATime(const Plan& plan, const Task& task) {
   return std::min(system::rendersFor(plan.cores), static_cast<int>(task.scenes.size()));
-}
-
-bool makesWholeClips(const Plan& plan, const Task& task) {
-  return isWholeClip(plan, plan.scenes[task.scenes.front()]);
 }
 
 /// Returns a command as a line of a shell; software draws with so many threads.

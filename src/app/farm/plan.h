@@ -66,8 +66,10 @@ struct Task {
 inline constexpr std::int64_t kMaxTasks = 1'000'000;
 inline constexpr int kMaxCores = 1024;
 
-/// Returns whether a task makes the whole clip of that scene, so that there is nothing to join.
+/// Returns whether a task makes the whole clip of that scene.
 bool isWholeClip(const Plan& plan, const PlannedScene& scene);
+/// Returns whether it makes whole clips, of which there is nothing to join.
+bool makesWholeClips(const Plan& plan, const Task& task);
 /// Returns whether the clips have PNGs.
 bool leavesFrames(const Plan& plan);
 /// Returns the number of tasks.

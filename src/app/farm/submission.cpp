@@ -147,7 +147,7 @@ std::vector<Task> missingOf(const Plan& plan, const std::vector<SceneProgress>& 
 
 /// Returns whether an earlier task makes what this one would, or a join that runs.
 bool isQueued(const Plan& plan, const Task& task, const EarlierJobs& earlier) {
-  const bool isJoined = !isWholeClip(plan, plan.scenes[task.scenes.front()]);
+  const bool isJoined = !makesWholeClips(plan, task);
   return (earlier.joins && isJoined) || earlier.tasks.contains(task.number);
 }
 

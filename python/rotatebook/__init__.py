@@ -11,8 +11,8 @@ hundred is the program's, which is looked for on PATH, or named by the variable 
 """
 
 from ._errors import Error, Mistake, ProgramError, SceneError
-from ._program import Clip, Proof, judge, map, program, render, run, study, toss, verify
+from ._program import Clip, Export, Proof, export, judge, map, program, render, run, study, toss, verify
 from ._scene import Motion, Scene, Simulation
 
-__all__ = ["Clip", "Error", "Mistake", "Motion", "ProgramError", "Proof", "Scene", "SceneError", "Simulation", "judge",
-           "map", "program", "render", "run", "study", "toss", "verify"]
+__all__ = ["Clip", "Error", "Export", "Mistake", "Motion", "ProgramError", "Proof", "Scene", "SceneError", "Simulation",
+           "export", "judge", "map", "program", "render", "run", "study", "toss", "verify"]

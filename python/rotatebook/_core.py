@@ -5,10 +5,11 @@ from __future__ import annotations
 import ctypes
 import functools
 import json
+import math
 import pathlib
 import time
 import weakref
-from typing import Any, Mapping
+from typing import Any, Iterator, Mapping
 
 from ._errors import SceneError
 
@@ -40,6 +41,20 @@ def _plain(value: Any) -> Any:
     if hasattr(value, "tolist"):
         return value.tolist()
     raise TypeError(f"a scene's tables can't hold {value!r}")
+
+
+def _leaves(value: Any, key: str) -> Iterator[tuple[str, Any]]:
+    """Yields the values in a scene's tree that hold no others, with their keys: ("initial.tilt[0]", 0.1)."""
+    if hasattr(value, "tolist"):
+        value = value.tolist()
+    if isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _leaves(item, f"{key}.{name}" if key else str(name))
+    elif isinstance(value, (list, tuple)):
+        for index, item in enumerate(value):
+            yield from _leaves(item, f"{key}[{index}]")
+    else:
+        yield key, value
 
 
 class Context:
@@ -79,10 +94,12 @@ class Context:
         return json.loads(self._text("toml_to_json", self._put(text.encode())))
 
     def text_of(self, tree: Mapping[str, Any]) -> str:
-        try:
-            text = json.dumps(tree, default=_plain, allow_nan=False)
-        except ValueError:
-            raise SceneError(f"{self._name}: nan or inf is no number of a scene") from None
+        for key, value in _leaves(tree, ""):
+            if value is None:
+                raise SceneError(f"{self._name}: {key} is None, which a scene doesn't know; leave the key out")
+            if isinstance(value, float) and not math.isfinite(value):
+                raise SceneError(f"{self._name}: {key} is {value}, which is no number of a scene")
+        text = json.dumps(tree, default=_plain)
         return self._text("json_to_toml", self._put(text.encode()))
 
     def read(self, text: str) -> Any:

@@ -185,6 +185,8 @@ def render(scene: Union[Scene, Path], output: Path = "out", *, progress: Optiona
     Options are the command's, such as size="640x360", overwrite=True, resume=True, set=["clip.fps=30"].
     `progress` is called every second and at the end, with the frames that are done, and how many there are.
     """
+    if os.fspath(output) == "-":
+        raise ValueError("render() makes a file, to be shown and verified: name a video or a folder, not -, the standard output")
     options = {"no_png": True, **options}
     with _file_of(scene) as (file, names):
         words = ["render", file, "-o", os.fspath(output), *_options(options)]
@@ -193,6 +195,28 @@ def render(scene: Union[Scene, Path], output: Path = "out", *, progress: Optiona
     if not videos:
         raise Error(f"the render made no video, but {report['files']}")
     return Clip(videos[0], report)
+
+
+class Export:
+    """An animated file for other programs: where it is, and the whole `report`, with "keys", "error_deg" and "notes"."""
+
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.file = pathlib.Path(report["file"])
+        self.notes: list[str] = report["notes"]
+
+    def __repr__(self) -> str:
+        return f"<Export {self.file}>"
+
+
+def export(scene: Union[Scene, Path], output: Optional[Path] = None, **options: Any) -> Export:
+    """Writes a motion to `output`, a .glb or .usdz, by default NAME.glb; other options are the command's, such as panel=2, keys=30, tangents=True.
+
+    Returns the file, and what is to be said of it.
+    """
+    with _file_of(scene) as (file, names):
+        place = [] if output is None else ["-o", os.fspath(output)]
+        return Export(run(["export", file, *place, *_options(options)], names=names))
 
 
 def verify(clip: Path, *, progress: Optional[Progress] = None, **options: Any) -> Proof:

@@ -129,8 +129,12 @@ class Scenes(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, f"unlike {name!r}"):
                 Scene(THROW, name=name)
 
-        with self.assertRaisesRegex(SceneError, "^scene.toml: nan or inf is no number of a scene"):
-            Scene.from_dict({"initial": {"angular_velocity": [float("nan"), 0, 1]}})
+        for value, problem in ((float("nan"), "nan, which is no number of a scene"), (np.float32("inf"), "inf, "),
+                               (None, "None, which a scene doesn't know; leave the key out")):
+            with self.assertRaisesRegex(SceneError, rf"^scene.toml: initial\.angular_velocity\[1\] is {problem}"):
+                Scene.from_dict({"initial": {"angular_velocity": [5, value, 1]}})
+        with self.assertRaisesRegex(SceneError, "^scene.toml: title is None"):
+            Scene.from_dict({"title": None})
 
     def test_read_nothing_outside_their_folders(self):
         pathlib.Path("inside").mkdir(exist_ok=True)

@@ -69,6 +69,8 @@ class Clips(unittest.TestCase):
         with self.assertRaises(SceneError) as refused:
             rotatebook.render("bad.toml")
         self.assertEqual((refused.exception.line, refused.exception.column), (2, 1))
+        with self.assertRaisesRegex(ValueError, r"^render\(\) makes a file"):
+            rotatebook.render(SMALL, "-")
         with self.assertRaises(ProgramError) as refused:
             rotatebook.verify("bad.toml")
         self.assertEqual(refused.exception.status, 2)
@@ -82,7 +84,9 @@ class Clips(unittest.TestCase):
                   "except KeyboardInterrupt:\n    print(time.monotonic(), flush=True)\n")
         child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True, start_new_session=True)
         child.stdout.readline()
-        time.sleep(1)
+        until = time.monotonic() + 60
+        while not (os.path.isdir("long") and os.listdir("long")) and time.monotonic() < until:
+            time.sleep(0.1)
         pressed = time.monotonic()
         os.killpg(child.pid, signal.SIGINT)  # As a terminal does.
         said, _ = child.communicate(timeout=60)
@@ -91,6 +95,21 @@ class Clips(unittest.TestCase):
         while (left := sorted(os.listdir("long"))) != ["scene.partial.mp4"] and time.monotonic() < until:
             time.sleep(0.1)
         self.assertEqual(left, ["scene.partial.mp4"])
+
+
+class Exports(unittest.TestCase):
+    def test_are_files_for_other_programs(self):
+        exported = rotatebook.export(SMALL, "small.glb", keys=30)
+        self.assertEqual((exported.file.read_bytes()[:4], exported.report["keys"], exported.notes), (b"glTF", 15, []))
+        self.assertEqual(exported.report["name"], "small")
+        self.assertEqual(rotatebook.export(SMALL).file, pathlib.Path("small.glb"))
+        self.assertEqual(rotatebook.export(SMALL, pathlib.Path("small.usdz")).file.read_bytes()[:2], b"PK")
+
+    def test_that_arent_made_say_why(self):
+        with self.assertRaisesRegex(ProgramError, "^--keys must be a whole number from 1 to 1000, not 0"):
+            rotatebook.export(SMALL, keys=0)
+        with self.assertRaisesRegex(ProgramError, "must end in .glb or .usdz"):
+            rotatebook.export(SMALL, "small.gltf")
 
 
 class Judging(unittest.TestCase):

@@ -15,6 +15,10 @@ foreach(package libeigen3-dev libtomlplusplus-dev libcli11-dev libxxhash-dev nlo
   append("Compiled into it, from Debian's ${package}" /usr/share/doc/${package}/copyright)
 endforeach()
 
+if(EXISTS ${source}/build/play/play.html)
+  append("Emscripten, of which the live book has parts" /usr/share/doc/emscripten/copyright)
+endif()
+
 string(TIMESTAMP date "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, where it is set.
 file(WRITE ${folder}/changelog
   "rotatebook (${version}) unstable; urgency=medium\n\n  * As of this day; NEWS.gz says what changed.\n\n -- $ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>  ${date}\n")

@@ -103,6 +103,11 @@ write_shared_files() {
   mkdir -p "$folder/share/rotatebook" "$folder/etc/fonts"
   echo 'By this file the program knows that its libraries lie beside it.' >"$folder/share/rotatebook/portable"
   cp -r "$root/scenes" "$folder/share/rotatebook/"
+  # Where make play has made it, with parts of Emscripten.
+  if [ -f "$root/build/play/play.html" ]; then
+    install -m 644 "$root/build/play/play.html" "$folder/share/rotatebook/"
+    echo emscripten >>"$made/packages"
+  fi
   # The program brings its own font.
   printf '%s\n' '<?xml version="1.0"?>' '<!DOCTYPE fontconfig SYSTEM "urn:fontconfig:fonts.dtd">' \
     '<fontconfig></fontconfig>' >"$folder/etc/fonts/fonts.conf"

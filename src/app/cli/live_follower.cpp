@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/core.h>
 
@@ -60,6 +61,17 @@ Json filesOf(const scene::Scene& scene, const fs::path& folder) {
 }
 
 }  // namespace
+
+fs::path installedBook() {
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  for (const char* place : {"share/rotatebook/play.html", "play/play.html"}) {
+    if (fs::exists(folder / place, error)) return folder / place;
+  }
+  throw InputError(
+      "--live: no live book is installed with the program; name play.html, which make play makes: "
+      "--live PLAY.html");
+}
 
 LiveFollower::LiveFollower(const fs::path& book, const fs::path& folder, const std::string& name)
     : page_(folder / (name + ".live.html")), script_(folder / (name + ".live.js")) {

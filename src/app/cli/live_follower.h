@@ -9,6 +9,10 @@
 
 namespace rotatebook::cli {
 
+/// Returns the live book that is installed with the program, or that `make play` made where the
+/// program was built. Throws InputError if there is none.
+std::filesystem::path installedBook();
+
 /// A page, NAME.live.html, that plays what its script, NAME.live.js, says. It reads the script
 /// again and again, as a page from a disk may read nothing else.
 class LiveFollower {

@@ -37,6 +37,7 @@ struct WatchArguments {
   DeviceOptions deviceOptions;
   std::optional<double> time;
   std::string output, live;
+  const CLI::Option* asksLive = nullptr;  ///< --live, with `live` or empty.
 };
 
 /// A version of a file, unlike that of one which replaces it; nothing if there is no file.
@@ -100,8 +101,10 @@ Shown shownOf(const WatchArguments& arguments) {
   const std::string name = scene.stem().string();
   Shown shown{arguments.output.empty() ? name + ".png" : arguments.output, std::nullopt};
   requirePictureOutput(shown.still, {{scene, "the scene itself"}});
-  if (arguments.live.empty()) return shown;
-  shown.live.emplace(arguments.live, std::filesystem::path(shown.still).parent_path(), name);
+  if (arguments.asksLive->count() == 0) return shown;
+  const std::filesystem::path book =
+      arguments.live.empty() ? installedBook() : std::filesystem::path(arguments.live);
+  shown.live.emplace(book, std::filesystem::path(shown.still).parent_path(), name);
   std::cout << fmt::format("{}: open {} in a browser\n", name, oneLine(shown.live->page().string()))
             << std::flush;
   return shown;
@@ -148,9 +151,12 @@ void addWatchCommand(CLI::App& program, Action& action) {
             "PNG to write; by default NAME.png in the folder where you are");
   addOption(command, "--time", "SECONDS", arguments.time,
             "Time in the video, whose nearest frame is drawn; by default the poster's");
-  addOption(
-      command, "--live", "PLAY.html", arguments.live,
-      "The live book, which make play makes: NAME.live.html beside the still plays the scene");
+  arguments.asksLive =
+      addOption(
+          command, "--live", "PLAY.html", arguments.live,
+          "Play the scene in NAME.live.html beside the still, too, by the live book that make "
+          "play makes; by default that which is installed with the program")
+          ->expected(0, 1);
   arguments.sceneOptions.addTo(command);
   arguments.deviceOptions.addTo(command);
   command.footer(R"(

@@ -85,6 +85,24 @@ TEST_F(WatchTest, TellsTheLiveBookOfEachSaveAndMistake) {
   EXPECT_EQ(read("tiny.live.js"), "somebody's");
 }
 
+TEST_F(WatchTest, FindsTheLiveBookThatIsInstalledWithTheProgram) {
+  fs::create_directory(folder() / "bin");
+  fs::copy_file(ROTATEBOOK_PROGRAM, folder() / "bin/rotatebook");
+  ChildSettings settings;
+  settings.folder = folder();
+  settings.signal = SIGINT;
+  settings.signalWhen = [&] { return fs::exists(folder() / "tiny.png"); };
+  const auto watch = [&] {
+    return runChild(folder() / "bin/rotatebook", {"watch", "--live", "tiny.toml"}, settings);
+  };
+  EXPECT_EQ(watch().error,
+            "rotatebook: --live: no live book is installed with the program; name play.html, which "
+            "make play makes: --live PLAY.html\n");
+  write("share/rotatebook/play.html", "<!doctype html>\n<section class=\"rb-live\"></section>\n");
+  EXPECT_EQ(watch().status, 130);
+  EXPECT_THAT(read("tiny.live.html"), HasSubstr(read("share/rotatebook/play.html")));
+}
+
 TEST_F(WatchTest, RefusesWhatCannotBeWatched) {
   EXPECT_EQ(run({"watch", "-"}).status, 2);
   EXPECT_EQ(run({"watch", "none.toml"}).status, 2);

@@ -4,7 +4,6 @@
 #include <charconv>
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <utility>
 #include <vector>
 #include <zip.h>
@@ -18,6 +17,7 @@
 #include "recording/columns.h"
 #include "recording/csv_table.h"
 #include "system/read_file.h"
+#include "system/zip_archive.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -27,9 +27,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxEntries = 1000;  // of an archive or folder
 constexpr std::size_t kMaxTables = 64;
 constexpr std::uint64_t kMaxBytes = 64 << 20;  // of all tables
-
-using Archive = std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })>;
-using ArchivedFile = std::unique_ptr<zip_file_t, decltype([](zip_file_t* f) { zip_fclose(f); })>;
 
 /// A table that may be read.
 struct Entry {
@@ -91,7 +88,7 @@ std::vector<TableFile> readAll(const std::string& path, const std::string& insid
 
 std::string readArchived(zip_t* archive, zip_uint64_t index, std::uint64_t size,
                          const std::string& path) {
-  const ArchivedFile file(zip_fopen_index(archive, index, 0));
+  const system::ZippedFile file(zip_fopen_index(archive, index, 0));
   if (file == nullptr) failArchive(path, zip_strerror(archive));
   // One byte more than there ought to be, so that the end is reached and the checksum compared.
   std::string bytes(size + 1, '\0');
@@ -107,7 +104,7 @@ std::string readArchived(zip_t* archive, zip_uint64_t index, std::uint64_t size,
   return bytes;
 }
 
-Archive openArchive(const std::string& bytes, const std::string& path) {
+system::ZipArchive openArchive(const std::string& bytes, const std::string& path) {
   zip_error_t error;
   zip_error_init(&error);
   zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
@@ -120,11 +117,11 @@ Archive openArchive(const std::string& bytes, const std::string& path) {
     failArchive(path, cause);
   }
   zip_error_fini(&error);
-  return Archive(archive);
+  return system::ZipArchive(archive);
 }
 
 std::vector<TableFile> tablesInArchive(const std::string& bytes, const std::string& path) {
-  const Archive archive = openArchive(bytes, path);
+  const system::ZipArchive archive = openArchive(bytes, path);
   const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
   requireFewEntries(path, static_cast<std::size_t>(std::max<zip_int64_t>(count, 0)));
   std::vector<Entry> entries;

@@ -111,12 +111,20 @@ def run(words: Sequence[str], progress: Optional[Progress] = None, *, names: Map
     _raise("".join(said).strip().removeprefix("rotatebook: "), status, words, names)
 
 
+def _still_has(file: pathlib.Path, text: str) -> bool:
+    """Returns whether a file is as it was when `text` was read from it."""
+    try:
+        return file.read_text(encoding="utf-8") == text
+    except (OSError, UnicodeDecodeError):
+        return False
+
+
 @contextlib.contextmanager
 def _file_of(scene: Union[Scene, Path]) -> Iterator[tuple[str, dict[str, str]]]:
     """Gives a file of the scene for as long as the program needs it, and what messages call it."""
     if not isinstance(scene, Scene):
         yield os.fspath(scene), {}
-    elif scene.file is not None:
+    elif scene.file is not None and _still_has(scene.file, scene.text):
         yield os.fspath(scene.file), {}
     else:
         with tempfile.TemporaryDirectory() as folder:

@@ -59,6 +59,16 @@ class Clips(unittest.TestCase):
             self.assertEqual([mistake[:2] for mistake in refused.exception.mistakes], [(3, 1), (4, 8)])
             self.assertIn(f"{name}:3:1: ", str(refused.exception))
 
+    def test_of_files_are_those_that_were_read(self):
+        file = pathlib.Path("edited.toml")
+        file.write_text(SMALL.text)
+        scene = Scene.from_file(file)
+        file.write_text(SMALL.text.replace("5.0", "6.0"))
+        checks = rotatebook.render(scene, "edited", overwrite=True).verify().report["checks"]
+        motion = next(check for check in checks if check["check"] == "motion")
+        self.assertEqual(motion["measured"], scene.simulate().checksum)
+        self.assertNotEqual(motion["measured"], Scene.from_file(file).simulate().checksum)
+
     def test_of_texts_and_tables_are_called_by_the_scenes_name(self):
         for scene in (SMALL, Scene.from_dict(SMALL.to_dict(), name="small")):
             with self.assertRaisesRegex(rotatebook.Error, r"^small\.toml: "):

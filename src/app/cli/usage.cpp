@@ -125,7 +125,7 @@ std::string valueProblem(CLI::App& command, const CLI::Error& error) {
   if (option == nullptr) return echoed(asOurs(command, error.what()));
   const std::string name = option->get_name(), value = joined(option->results(), ",");
   const bool areSeveral = value.find(',') != value.npos && command.get_option_no_throw(name + "s");
-  return name + " must be a number, and is " + quotedText(echoed(value)) +
+  return name + " must be a number, not " + quotedText(echoed(value)) +
          (areSeveral ? "; " + name + "s takes several" : "");
 }
 

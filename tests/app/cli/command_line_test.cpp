@@ -256,10 +256,10 @@ TEST_F(CommandLine, WritesNoResultToTheStandardOutput) {
 
 TEST_F(CommandLine, RefusesWrongNumbers) {
   expectRefused({"still", "tiny.toml", "--time", "noon", "-o", "x.png"},
-                "rotatebook: --time must be a number, and is \"noon\"\n"
+                "rotatebook: --time must be a number, not \"noon\"\n"
                 "Run 'rotatebook still --help' for more information.\n");
   expectRefused({"still", "tiny.toml", "--time", "0.1,0.2", "-o", "x.png"},
-                "rotatebook: --time must be a number, and is \"0.1,0.2\"; --times takes several\n"
+                "rotatebook: --time must be a number, not \"0.1,0.2\"; --times takes several\n"
                 "Run 'rotatebook still --help' for more information.\n");
   expectRefused({"render", "tiny.toml", "--jobs", "0"},
                 "rotatebook: --jobs must be a whole number from 1 to 64, not 0\n"

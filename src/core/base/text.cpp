@@ -168,6 +168,13 @@ std::string quotedText(std::string_view text) {
   return '"' + escaped(text, stringEscape) + '"';
 }
 
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
 std::string shellWord(std::string text) {
   if (text.find_first_of(" \t\n'\"\\`$&|;<>()*?[]{}~#!") == std::string::npos) return text;
   for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4) {

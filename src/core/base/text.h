@@ -54,6 +54,9 @@ std::string quotedText(std::string_view text);
 /// Returns `text` as a word of a shell's command line: in quotation marks if it needs them.
 std::string shellWord(std::string text);
 
+/// Returns `text` as a field of a CSV, in quotation marks if it needs them. (RFC 4180)
+std::string csvField(const std::string& text);
+
 /// Returns `text` with an escape for whatever isOneLine() refuses, but for tabs and line breaks, so
 /// that a terminal doesn't obey it. Bytes that aren't UTF-8 become U+FFFD.
 std::string printable(std::string_view text);

@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "scene/names.h"
 #include "study/bounds_json.h"
-#include "study/study_csv.h"
 
 namespace rotatebook::study {
 namespace {

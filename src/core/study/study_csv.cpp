@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/text.h"
 
 namespace rotatebook::study {
 namespace {
@@ -34,13 +35,6 @@ std::string fieldsOf(const StudyRow& row, std::size_t place, scene::Measure meas
 
 bool isStudyHeader(std::string_view row) {
   return row.ends_with(kStatusColumn);
-}
-
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
 }
 
 std::string studyCsv(const Study& result, const scene::StudySettings& study) {

@@ -8,9 +8,6 @@
 
 namespace rotatebook::study {
 
-/// Returns a text as a field of a CSV, in quotes if it needs them. (RFC 4180)
-std::string csvField(const std::string& text);
-
 /// Returns a header row and one row a run: the key, the key of the curves if there is one, each
 /// measured quantity, status. An order has three columns: h_s, error_deg, ns_per_step. Numbers read
 /// back to the same bits; the field of one that a run doesn't have is empty, and what never happens

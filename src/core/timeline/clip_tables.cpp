@@ -1,6 +1,7 @@
 #include "timeline/clip_tables.h"
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "timeline/trajectory_csv.h"
 
 namespace rotatebook::timeline {
@@ -26,7 +27,7 @@ std::string keyCell(const std::optional<Axis>& axis) {
 }
 
 std::string valueCell(const std::optional<Axis>& axis, std::size_t index) {
-  return axis ? axis->values[index].label + "," : "";
+  return axis ? csvField(axis->values[index].label) + "," : "";
 }
 
 std::string numbersOf(const physics::Trajectory& trajectory) {

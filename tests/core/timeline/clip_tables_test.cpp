@@ -15,6 +15,7 @@ namespace rotatebook::timeline {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 constexpr const char* kBook =
@@ -67,6 +68,15 @@ TEST(ClipTables, OfAGridIsOneWithARowForEachCell) {
   EXPECT_EQ(std::stod(rows[4][4]), last.tiltDeg);
   EXPECT_EQ(std::stod(rows[4][9]), last.errorDeg);
   EXPECT_THAT(rows[4], SizeIs(12)) << "nothing diverges";
+}
+
+TEST(ClipTables, QuoteLabelsWithCommas) {
+  const scene::Scene grid = sceneOf(
+      "[grid]\nrows = { key = 'simulation.substeps', values = ["
+      "{ label = 'few, or so', value = 1 }, { label = 'two \"or\" more', value = 2 }] }");
+  const std::string table = tableText(grid, simulateScene(grid), 0);
+  EXPECT_THAT(table, HasSubstr("\n\"few, or so\",0.48"));
+  EXPECT_THAT(table, HasSubstr("\n\"two \"\"or\"\" more\",0.48"));
 }
 
 TEST(ClipTables, SayWhenAMotionDiverges) {

@@ -6,13 +6,13 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <grp.h>
-#include <regex>
 #include <sstream>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
+#include "base/json.h"
 #include "system/portable_folder.h"
 #include "system/read_file.h"
 #include "system/resource_limits.h"
@@ -82,10 +82,11 @@ VendorFile readVendorFile(const std::string& path) {
   const std::string text = system::readFileOrEmpty(path);
   if (text.empty())
     return {path, "", access(path.c_str(), F_OK) == 0 ? "can't be read" : "isn't there"};
-  std::smatch match;
-  static const std::regex kLibrary(R"re("library_path"\s*:\s*"([^"]+)")re");
-  if (!std::regex_search(text, match, kLibrary)) return {path, "", "names no library"};
-  return {path, match[1], loadFailure(match[1])};
+  const Json json = Json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const Json::json_pointer library("/ICD/library_path");
+  if (!json.contains(library) || !json[library].is_string()) return {path, "", "names no library"};
+  const std::string name = json[library];
+  return {path, name, loadFailure(name)};
 }
 
 std::vector<std::string> vendorPaths() {

@@ -2,6 +2,8 @@
 #include "diagnose/remedies.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -281,6 +283,7 @@ class GraphicsFactsOf : public ::testing::Test {
     unsetenv("GALLIUM_OF_TEST");
     unsetenv("MESA_OF_TEST");
     unsetenv("NOT_MESA_OF_TEST");
+    unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
   }
 };
 
@@ -291,6 +294,22 @@ TEST_F(GraphicsFactsOf, VariablesAreThoseOfMesa) {
   const std::vector<std::string> found = readGraphicsFacts().mesaVariables;
   EXPECT_THAT(found, IsSupersetOf({"GALLIUM_OF_TEST=", "MESA_OF_TEST=a=b"}));
   EXPECT_THAT(found, Not(Contains(HasSubstr("NOT_MESA"))));
+}
+
+TEST_F(GraphicsFactsOf, VendorFilesAreReadAsJson) {
+  const std::string library = "/nowhere/libEGL_\\u006desa.so";  // JSON's escape of an m
+  const auto libraryIn = [](const std::string& text) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "vendor.json";
+    std::ofstream(file) << text;
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", file.c_str(), 1);
+    return readGraphicsFacts().vendorFiles.at(0);
+  };
+  const VendorFile found = libraryIn(R"({"ICD": {"library_path": ")" + library + "\"}}");
+  EXPECT_EQ(found.library, "/nowhere/libEGL_mesa.so");
+  EXPECT_THAT(found.failure, HasSubstr("libEGL_mesa.so"));
+  for (const char* wrong :
+       {"{\"ICD\": {\"library_path\": 1}}", "{\"library_path\": \"a.so\"}", "[1", "1"})
+    EXPECT_EQ(libraryIn(wrong).failure, "names no library") << wrong;
 }
 
 TEST(Remedies, AreNeverNoneWhereNothingDraws) {

@@ -152,7 +152,7 @@ void refuseTransparent(const scene::Scene& scene) {
 int bench(const BenchArguments& arguments) {
   const scene::Scene scene = readScene(arguments);
   refuseTransparent(scene);
-  picture::TextureFiles textures = picture::preflight(scene);
+  picture::TextureFiles textures = picture::preflight(scene).textures;
   pipeline::SpeedOptions options{.frames = arguments.frames,
                                  .device = arguments.deviceOptions.choice(),
                                  .textures = std::move(textures)};

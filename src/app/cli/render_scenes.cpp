@@ -59,7 +59,7 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
-  rendered.result = renderClip(scene, motion, options, listener, one.textures, summaries);
+  rendered.result = renderClip(scene, motion, options, listener, one.found.textures, summaries);
   rendered.interrupted = rendered.result->interrupted;
 }
 
@@ -226,8 +226,7 @@ class ParallelRenders {
 /// Renders all scenes as renderScenes() does, with its reports on `out`.
 int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
               int atATime, std::ostream& out, std::vector<RenderedScene>& rendered) {
-  for (const SceneToRender& one : scenes)
-    reportNotes(one.scene, picture::notesOn(one.scene), std::cerr);
+  for (const SceneToRender& one : scenes) reportNotes(one.scene, one.found.notes, std::cerr);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options, out, rendered);
   pipeline::RenderOptions shared = options;
@@ -316,7 +315,7 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
 
 int rerun(const RerunArguments& arguments) {
   const store::RecordedClip clip = store::readRecordedClip(arguments.clip, arguments.textures);
-  picture::requireText(clip.record.scene);
+  const picture::Preflight found{clip.textures, picture::notesOn(clip.record.scene)};
   const store::ClipFiles files = filesOf(clip, arguments.folder);
   const fs::path output = files.video(clip.format);
   pipeline::RenderOptions options;
@@ -333,7 +332,7 @@ int rerun(const RerunArguments& arguments) {
   options.device = arguments.deviceOptions.choice(/*resumable=*/true);
   options.stop = &catchInterrupts();
   // Expectations are reported, but decide no status: they decided that of the first render.
-  const int status = renderScenes({{clip.record.scene, clip.textures}}, options, 1);
+  const int status = renderScenes({{clip.record.scene, found}}, options, 1);
   return status >= kInterrupted ? status : compare(clip, arguments, output);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/device_options.h"
-#include "picture/looks.h"
+#include "picture/preflight.h"
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 #include "store/clip_record.h"
@@ -14,10 +14,10 @@
 
 namespace rotatebook::cli {
 
-/// A scene, and its textures as far as they were read already.
+/// A scene, and what was found before any work.
 struct SceneToRender {
   scene::Scene scene;
-  picture::TextureFiles textures{};
+  picture::Preflight found{};
   bool isJudged = true;  ///< True if its expectations are judged.
 };
 

@@ -13,7 +13,6 @@
 #include "cli/interrupt.h"
 #include "cli/motion_report.h"
 #include "cli/progress_line.h"
-#include "picture/preflight.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::cli {
@@ -33,7 +32,7 @@ pipeline::StreamFormat streamFormatOf(const std::vector<std::string>& names) {
 int streamScene(const SceneToRender& one, const pipeline::StreamOptions& options) {
   endAtInterrupts();
   const scene::Scene& scene = one.scene;
-  reportNotes(scene, picture::notesOn(scene), std::cerr);
+  reportNotes(scene, one.found.notes, std::cerr);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
   if (!one.isJudged) timeline::leaveUnjudged(motions);
@@ -42,8 +41,8 @@ int streamScene(const SceneToRender& one, const pipeline::StreamOptions& options
   {
     ProgressLine line(scene.name);
     const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
-    frames =
-        streamClip(scene, motion, options, output, "the standard output", progress, one.textures);
+    frames = streamClip(scene, motion, options, output, "the standard output", progress,
+                        one.found.textures);
   }
   std::clog << fmt::format("{}: wrote {} to the standard output\n", scene.name,
                            countText(frames, "frame"));

@@ -1,6 +1,7 @@
 #include "picture/preflight.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/core.h>
@@ -45,21 +46,16 @@ std::vector<std::string> notesOnText(const scene::Scene& scene) {
 
 }  // namespace
 
-TextureFiles preflight(const scene::Scene& scene) {
-  TextureFiles files = readTextures(scene);
-  requireText(scene);
-  return files;
-}
-
-void requireText(const scene::Scene& scene) {
-  notesOnText(scene);
-}
-
 std::vector<std::string> notesOn(const scene::Scene& scene) {
   std::vector<std::string> notes = timeline::notesOn(scene);
   const std::vector<std::string> ofText = notesOnText(scene);
   notes.insert(notes.end(), ofText.begin(), ofText.end());
   return notes;
+}
+
+Preflight preflight(const scene::Scene& scene) {
+  TextureFiles textures = readTextures(scene);
+  return {std::move(textures), notesOn(scene)};
 }
 
 }  // namespace rotatebook::picture

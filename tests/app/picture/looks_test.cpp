@@ -49,7 +49,7 @@ TEST(Textures, AreThoseThatWereReadEvenIfTheFileChanges) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = coveredScene(folder);
   writeCover(folder, 8);
-  const TextureFiles files = preflight(scene);
+  const TextureFiles files = preflight(scene).textures;
   const TextureChecksums checksums = loadLooks(scene).checksums;
   writeCover(folder, 9);
   const LoadedLooks loaded = loadLooks(scene, files);
@@ -74,7 +74,7 @@ TEST(Textures, MayBeJpegsAndWebps) {
   fs::copy_file(pictures + "webp/alpha.webp", folder / "back");
   scene::Scene scene = smallScene({"book.front=cover.png", "book.back=back"});
   scene.folder = folder;
-  const LoadedLooks loaded = loadLooks(scene, preflight(scene));
+  const LoadedLooks loaded = loadLooks(scene, preflight(scene).textures);
   EXPECT_EQ(bookOf(loaded).front.width(), 40);
   EXPECT_EQ(bookOf(loaded).back.width(), 24);
   const std::string bytes = system::readFile(folder / "cover.png", 10'000);

@@ -234,9 +234,9 @@ void addPageCommand(CLI::App& program, Action& action) {
   arguments.deviceOptions.addTo(command);
   command.footer(R"(
 Writes DIR/index.html, which any browser shows without a network or a server. It shows the files that
-render and study left in DIR; give --set and --size as they were given to these. The motions are
-simulated again for the plots and for what was expected and measured. For the overview, the posters are
-drawn again, small and without text, as DIR/NAME.thumbnail.png. A scene named twice is shown once.
+render and study left in DIR; give --set and --size as they were given to these. For the overview, the
+posters are drawn again, small and without text, as DIR/NAME.thumbnail.png. A scene named twice is shown
+once.
 
 Example:
   rotatebook render scenes/figures/*.toml

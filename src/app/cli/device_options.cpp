@@ -20,9 +20,9 @@
 namespace rotatebook::cli {
 namespace {
 
-using Kind = render::DeviceChoice::Kind;
+using Kind = picture::DeviceChoice::Kind;
 
-render::DeviceChoice parseDevice(const std::string& text) {
+picture::DeviceChoice parseDevice(const std::string& text) {
   if (text.empty()) return {};
   if (text == "software") return {.kind = Kind::Software};
   std::smatch match;
@@ -61,8 +61,8 @@ std::vector<std::string> DeviceOptions::words() const {
   return words;
 }
 
-render::DeviceChoice DeviceOptions::parsed() const {
-  render::DeviceChoice choice = parseDevice(device);
+picture::DeviceChoice DeviceOptions::parsed() const {
+  picture::DeviceChoice choice = parseDevice(device);
   choice.requireHardware = requireHardware;
   if (requireHardware && choice.kind == Kind::Software) {
     throw InputError("--device software and --require-hardware exclude each other");
@@ -70,8 +70,8 @@ render::DeviceChoice DeviceOptions::parsed() const {
   return choice;
 }
 
-render::DeviceChoice DeviceOptions::choice(bool resumable) const {
-  render::DeviceChoice choice = parsed();
+picture::DeviceChoice DeviceOptions::choice(bool resumable) const {
+  picture::DeviceChoice choice = parsed();
   std::vector<std::string> successor{"rotatebook", kAfterCrash};
   std::ranges::move(words(), std::back_inserter(successor));
   successor.push_back(fmt::format("{}={}", kStack, crashStackFile()));

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "render/device/device.h"
+#include "picture/device_choice.h"
 
 namespace rotatebook::cli {
 
@@ -19,11 +19,11 @@ struct DeviceOptions {
   /// Returns the words of a command line with these options.
   std::vector<std::string> words() const;
   /// Returns the choice that they make. Throws InputError.
-  render::DeviceChoice parsed() const;
+  picture::DeviceChoice parsed() const;
   /// Returns parsed(), for drawing with it: its warning is printed once, and from now on a crash of
   /// this process starts the command `after-crash` in its place, which advises --resume if the
   /// command is `resumable`.
-  render::DeviceChoice choice(bool resumable = false) const;
+  picture::DeviceChoice choice(bool resumable = false) const;
 };
 
 }  // namespace rotatebook::cli

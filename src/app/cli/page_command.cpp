@@ -72,7 +72,7 @@ ReadScenes readShown(const PageArguments& arguments) {
   return shown;
 }
 
-image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice& device) {
+image::Image drawThumbnail(const scene::Scene& scene, const picture::DeviceChoice& device) {
   try {
     return picture::drawThumbnail(scene, device);
   } catch (const MachineError& error) {
@@ -105,7 +105,7 @@ void drawThumbnails(const ReadScenes& shown, const PageArguments& arguments,
                                  remedy);
     store::refusePictureOfOthers(fileOf(i), remedy);
   }
-  const render::DeviceChoice device = arguments.deviceOptions.choice();
+  const picture::DeviceChoice device = arguments.deviceOptions.choice();
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];

@@ -71,7 +71,7 @@ farm::PlannedScene plannedOf(const SceneOfFile& one, const PlanWishes& wishes) {
   return planned;
 }
 
-farm::Effort effortOfClip(const SceneOfFile& one, int cores, const render::DeviceChoice& device) {
+farm::Effort effortOfClip(const SceneOfFile& one, int cores, const picture::DeviceChoice& device) {
   const TaskTime simulation(cores);
   const timeline::ClipMotion motion = timeline::simulateScene(one.scene);
   const std::int64_t frames = motion.frameCount();
@@ -128,7 +128,7 @@ farm::Plan planOf(const std::vector<SceneOfFile>& scenes, const PlanWishes& wish
 
 std::vector<farm::Effort> measureEfforts(const farm::Plan& plan,
                                          const std::vector<SceneOfFile>& scenes,
-                                         const render::DeviceChoice& device) {
+                                         const picture::DeviceChoice& device) {
   if (plan.work == farm::Work::Study) return unmeasuredEfforts(plan);
   std::vector<farm::Effort> efforts;
   // Of many clips those between two that are measured count as the first of these

@@ -7,7 +7,7 @@
 
 #include "farm/chunks.h"
 #include "farm/plan.h"
-#include "render/device/device.h"
+#include "picture/device_choice.h"
 #include "scene/scene.h"
 #include "video/video_format.h"
 
@@ -38,7 +38,7 @@ farm::Plan planOf(const std::vector<SceneOfFile>& scenes, const PlanWishes& wish
 /// as FrameDrawer does if this machine can't draw.
 std::vector<farm::Effort> measureEfforts(const farm::Plan& plan,
                                          const std::vector<SceneOfFile>& scenes,
-                                         const render::DeviceChoice& device);
+                                         const picture::DeviceChoice& device);
 /// Returns them without measuring, for parts of a given number of frames or tiles.
 std::vector<farm::Effort> unmeasuredEfforts(const farm::Plan& plan);
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "render/device/device.h"
+#include "picture/device_choice.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
@@ -61,7 +61,7 @@ struct SpeedOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Called with the number of frames done; the total counts each frame three times.
   std::function<void(std::int64_t done, std::int64_t total)> progress{};
-  render::DeviceChoice device{};
+  picture::DeviceChoice device{};
   /// The scene's picture::TextureFiles, as far as they were read already.
   std::map<std::string, std::string> textures{};
 };

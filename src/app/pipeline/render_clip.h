@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "picture/device_choice.h"
 #include "picture/looks.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/render_output.h"
-#include "render/device/device.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
 #include "store/clip_settings.h"
@@ -35,7 +35,7 @@ struct RenderOptions {
   store::EarlierFrames earlier{};
   /// Set by others, such as a signal handler, to stop after the current frame. May be null.
   const std::atomic<bool>* stop = nullptr;
-  render::DeviceChoice device{};
+  picture::DeviceChoice device{};
 
   /// Returns whether only some frames are drawn.
   bool isPart() const { return frames || part; }

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "render/device/device.h"
+#include "picture/device_choice.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -62,7 +62,7 @@ void adviseOnBook(const scene::Scene& scene, const Speed& speed, AdviceCollector
       stages.book = scaled(stages.book, 1.0 / look.motionBlur);
     });
   }
-  if (render::isSoftwareRenderer(speed.renderer)) {
+  if (picture::isSoftwareRenderer(speed.renderer)) {
     advice.tryOut("a graphics card", "if it drew at no cost",
                   [](StageTimes& stages) { stages.book = {}; });
   }

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
+#include "picture/device_choice.h"
 #include "picture/looks.h"
 #include "pipeline/draw_frames.h"
-#include "render/device/device.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
 #include "system/file_descriptor.h"
@@ -31,7 +31,7 @@ inline constexpr std::array<std::string_view, 3> kStreamNames{"y4m", "png", "raw
 struct StreamOptions {
   StreamFormat format = StreamFormat::Y4m;
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
-  render::DeviceChoice device{};
+  picture::DeviceChoice device{};
 };
 
 /// Draws `motion`, the scene's, and writes its pictures to `output`, which messages call `name`.

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "picture/device_choice.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/verify/clip_check.h"
-#include "render/device/device.h"
 #include "store/clip_record.h"
 
 namespace rotatebook::pipeline {
@@ -22,7 +22,7 @@ struct VerifyOptions {
   /// chosen by the motion's checksum.
   std::vector<std::int64_t> frames{};
   bool allFrames = false;  ///< Compare every frame of the clip.
-  render::DeviceChoice device{};
+  picture::DeviceChoice device{};
   /// Called after each decoded picture. May be empty.
   std::function<void(pipeline::RenderProgress)> progress{};
 };

@@ -16,60 +16,24 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "body/closed_mesh.h"
-#include "body/mass_properties.h"
-#include "body/mesh_readers.h"
-#include "body/self_crossing.h"
-#include "body/shells.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "cli/spin_report.h"
-#include "physics/motion_start.h"
-#include "rigid/inertia.h"
-#include "rigid/regime.h"
+#include "scene/body_numbers.h"
 #include "scene/scene_text.h"
-#include "scene/solid_numbers.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
-
-/// Principal moments, smallest first, and their axes as columns, right-handed.
-struct SortedAxes {
-  Vector3d moments;
-  Matrix3d axes;
-};
-
-SortedAxes sortedAxes(const Matrix3d& inertia) {
-  const rigid::PrincipalAxes principal = rigid::principalAxes(inertia);
-  const auto order = rigid::axesByInertia(principal.moments);
-  SortedAxes sorted;
-  for (int i = 0; i < 3; ++i) {
-    const int from = order[static_cast<std::size_t>(i)];
-    sorted.moments[i] = principal.moments[from];
-    sorted.axes.col(i) = principal.bodyFromPrincipal.col(from);
-  }
-  if (sorted.axes.determinant() < 0) sorted.axes.col(2) *= -1;
-  sorted.axes.array() += 0.0;  // No -0
-  return sorted;
-}
 
 /// Returns the vector for people: components that are only rounding, beside `scale`, are 0.
 std::string bodyVectorText(const Vector3d& vector, double scale, int digits) {
   return fmt::format("({})", joinedOf(vector, [&](double number) {
                        return roundedText(std::fabs(number) < 1e-12 * scale ? 0 : number, digits);
                      }));
-}
-
-/// Returns the rate at which a deviation from a spin about the middle axis grows, as a share of the
-/// spin: lambda = w sqrt((I2 - I1)(I3 - I2)/(I1 I3)).
-double growthOf(const Vector3d& moments) {
-  return std::sqrt((moments[1] - moments[0]) * (moments[2] - moments[1]) /
-                   (moments[0] * moments[2]));
 }
 
 /// Returns "x" or "(0.8, 0.6, 0)", for a unit vector.
@@ -80,7 +44,7 @@ std::string axisText(const Vector3d& axis) {
   return bodyVectorText(axis, 1, 4);
 }
 
-std::string momentsText(const SortedAxes& sorted) {
+std::string momentsText(const scene::SortedAxes& sorted) {
   return joinedOf(std::array{0, 1, 2}, [&](int i) {
     return fmt::format("{}{} about {}", roundedText(sorted.moments[i], 6), i == 0 ? " kg m^2" : "",
                        axisText(sorted.axes.col(i)));
@@ -92,7 +56,7 @@ std::string pairText(const std::array<std::size_t, 2>& triangles) {
 }
 
 /// Returns what there is to say about the surface.
-std::string surfaceText(const std::optional<BodySurface>& surface) {
+std::string surfaceText(const std::optional<scene::BodySurface>& surface) {
   if (!surface) return "the book, a cuboid";
   const std::string shells =
       surface->shells == 1
@@ -119,30 +83,31 @@ std::string surfaceText(const std::optional<BodySurface>& surface) {
 
 }  // namespace
 
-void reportBody(const BodyNumbers& numbers, std::ostream& output) {
-  const body::MassProperties& body = numbers.properties;
-  const auto [moments, axes] = sortedAxes(body.inertia);
+void reportBody(const scene::BodyNumbers& numbers, std::ostream& output) {
+  const auto& body = numbers.properties;
+  const scene::SortedAxes sorted = scene::sortedAxesOf(body);
   output << fmt::format(
       "  body        {}\n  volume      {} m^3\n  mass        {} kg\n  centre      {} m\n"
       "  inertia     about the centre [kg m^2]\n",
       surfaceText(numbers.surface), roundedText(body.volume, 6), roundedText(body.mass, 6),
       bodyVectorText(body.centre, std::cbrt(body.volume), 6));
   for (int row = 0; row < 3; ++row)
-    output << "              " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
-  output << "  moments     " << momentsText({moments, axes}) << '\n';
-  const double growth = growthOf(moments);
-  if (growth > 1e-6) {
+    output << "              " << bodyVectorText(body.inertia.row(row), sorted.moments[2], 6)
+           << '\n';
+  output << "  moments     " << momentsText(sorted) << '\n';
+  if (sorted.growth > 1e-6) {
     output << fmt::format(
         "  middle axis a spin of w about it is unstable: deviations grow as e^({} w t)\n",
-        roundedText(growth, 4));
+        roundedText(sorted.growth, 4));
   } else {
     output << "  middle axis two moments are equal, or nearly so: no spin is unstable\n";
   }
 }
 
-Json bodyJson(const BodyNumbers& numbers) {
-  const body::MassProperties& body = numbers.properties;
-  const auto [moments, axes] = sortedAxes(body.inertia);
+Json bodyJson(const scene::BodyNumbers& numbers) {
+  using scene::BodySurface;
+  const auto& body = numbers.properties;
+  const scene::SortedAxes sorted = scene::sortedAxesOf(body);
   const auto count = [&](std::size_t BodySurface::*member) {
     return numbers.surface ? Json((*numbers.surface).*member) : Json();
   };
@@ -155,8 +120,8 @@ Json bodyJson(const BodyNumbers& numbers) {
           {"mass_kg", body.mass},
           {"centre_m", vectorJson(body.centre)},
           {"inertia_kg_m2", matrixJson(body.inertia)},
-          {"moments_kg_m2", vectorJson(moments)},
-          {"axes", matrixJson(axes.transpose())},
+          {"moments_kg_m2", vectorJson(sorted.moments)},
+          {"axes", matrixJson(sorted.axes.transpose())},
           {"triangles", count(&BodySurface::triangles)},
           {"shells", count(&BodySurface::shells)},
           {"crossing", pair(&BodySurface::crossing)},
@@ -166,8 +131,6 @@ Json bodyJson(const BodyNumbers& numbers) {
 }
 
 namespace {
-
-constexpr double kWater = 1000;  // [kg/m^3]
 
 struct InfoArguments {
   std::string path;
@@ -191,75 +154,21 @@ void requirePositive(const char* option, const std::optional<double>& value) {
         fmt::format("{} {}: must be above 0, and below 1e60", option, shortestText(*value)));
 }
 
-BodySurface surfaceOf(const body::ClosedMesh& file) {
-  const body::TriangleMesh& mesh = file.surface.mesh;
-  const body::Shells shells = body::shellsOf(mesh);
-  const auto inFile = [&](auto pair) {
-    if (pair) pair = {file.closing.numberOf((*pair)[0]), file.closing.numberOf((*pair)[1])};
-    return pair;
-  };
-  return {mesh.triangles.size(), shells.count, inFile(body::findSelfCrossing(mesh)),
-          inFile(shells.overlap), file.closing.notes};
-}
-
-BodyNumbers bodyOfMesh(const std::string& path, const InfoArguments& options) {
+scene::BodyNumbers bodyOfMesh(const std::string& path, const InfoArguments& options) {
   if (options.density && options.mass)
     throw InputError("--density and --mass: one follows from the other; name one of them");
   requirePositive("--density", options.density);
   requirePositive("--mass", options.mass);
-  const double unit = unitOf(options.unit);
-  body::ClosedMesh file = body::readMesh(path, system::readInput(path, scene::kLongestMesh));
-  try {
-    body::TriangleMesh& mesh = file.surface.mesh;
-    for (Eigen::Vector3d& point : mesh.points) point *= unit;
-    double density = options.density.value_or(kWater);
-    if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
-    const body::MassProperties properties = body::massPropertiesOf(mesh, density);
-    rigid::checkedInertia(properties.inertia);
-    return {properties, surfaceOf(file)};
-  } catch (const InputError& error) {
-    throw InputError(oneLine(path, 200) + ": " + error.what());
-  }
-}
-
-BodyNumbers bodyOfBook(const scene::Panel& motion) {
-  const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
-  const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
-  return {{motion.body.size.prod(),
-           motion.body.mass,
-           {0, 0, 0},
-           axes * inertia.moments.asDiagonal() * axes.transpose()}};
-}
-
-/// The scene has the mesh's numbers, but for its centre.
-BodyNumbers bodyOfMeshFile(const scene::Solid& solid) {
-  const body::ClosedMesh& file = *solid.mesh.content;
-  BodyNumbers numbers{scene::numbersOf(solid).properties, surfaceOf(file)};
-  numbers.properties.centre = body::massPropertiesOf(file.surface.mesh, 1).centre * solid.mesh.unit;
-  return numbers;
-}
-
-BodyNumbers bodyOfParts(const scene::Solid& solid) {
-  BodySurface surface;
-  for (const scene::BodyPart& part : solid.parts) {
-    const body::TriangleMesh mesh = scene::placed(part).surface;
-    surface.triangles += mesh.triangles.size();
-    surface.shells += body::shellsOf(mesh).count;
-  }
-  return {scene::numbersOf(solid).properties, surface};
+  return scene::bodyNumbersOf(path, system::readInput(path, scene::kLongestMesh),
+                              {unitOf(options.unit), options.density, options.mass});
 }
 
 /// A motion of a scene, or a mesh alone.
 struct Info {
   std::string label;  ///< Empty but for panels.
-  BodyNumbers body;
+  scene::BodyNumbers body;
   std::optional<SpinNumbers> spin{};  ///< A mesh has none.
 };
-
-BodyNumbers bodyOf(const scene::Panel& motion) {
-  if (motion.solid.isBook()) return bodyOfBook(motion);
-  return motion.solid.parts.empty() ? bodyOfMeshFile(motion.solid) : bodyOfParts(motion.solid);
-}
 
 void print(const std::string& head, const std::vector<Info>& infos) {
   std::cout << oneLine(head) << '\n';
@@ -294,7 +203,7 @@ void showScene(const InfoArguments& options) {
   const scene::Scene scene = options.scene.read(path);
   std::vector<Info> infos;
   for (const SpinNumbers& spin : spinNumbersOf(scene))
-    infos.push_back({spin.motion.label, bodyOf(spin.motion), spin});
+    infos.push_back({spin.motion.label, bodyNumbersOf(spin.motion), spin});
   options.json ? printJson(scene.name, scene.title, infos)
                : print(scene.name + ": " + scene.title, infos);
 }
@@ -306,7 +215,7 @@ void showMesh(const InfoArguments& options) {
 }
 
 int info(const InfoArguments& arguments) {
-  body::isMeshName(arguments.path) ? showMesh(arguments) : showScene(arguments);
+  scene::isMesh(arguments.path) ? showMesh(arguments) : showScene(arguments);
   return kDone;
 }
 

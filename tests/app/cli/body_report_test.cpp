@@ -8,6 +8,8 @@
 namespace rotatebook::cli {
 namespace {
 
+using scene::BodyNumbers;
+using scene::BodySurface;
 using ::testing::HasSubstr;
 
 /// A body whose axes of the largest, smallest and middle moment are x, y and z.

@@ -47,9 +47,9 @@ const std::map<std::string, Room> kRooms{
     {"study", {"core", {"base", "rigid", "physics", "scene", "timeline"}, {"Eigen/"}, {"body"}}},
     {"bridge",
      {"browser",
-      {"base", "rigid", "recording", "physics", "geometry", "scene", "timeline"},
+      {"base", "recording", "geometry", "scene", "timeline"},
       {"Eigen/"},
-      {"body"}}},
+      {"rigid", "body", "physics"}}},
     {"system", {"platform", {"base"}, {"zip.h"}}},
     {"image",
      {"platform",
@@ -91,10 +91,10 @@ const std::map<std::string, Room> kRooms{
       {"rigid", "body", "physics", "geometry", "scene", "timeline", "video"}}},
     {"pipeline",
      {"app",
-      {"base", "scene", "timeline", "study", "system", "image", "render", "video", "plot",
-       "picture", "store"},
+      {"base", "scene", "timeline", "study", "system", "image", "video", "plot", "picture",
+       "store"},
       {},
-      {"rigid", "body", "physics", "geometry"}}},
+      {"rigid", "body", "physics", "geometry", "render"}}},
     {"diagnose",
      {"app",
       {"base", "body", "system", "image", "render", "overlay", "video"},
@@ -107,11 +107,10 @@ const std::map<std::string, Room> kRooms{
       {"rigid", "body", "physics", "geometry"}}},
     {"cli",
      {"app",
-      {"base",        "rigid",  "body",  "recording", "physics",  "scene", "timeline",
-       "study",       "system", "image", "render",    "video",    "plot",  "picture",
-       "interchange", "store",  "farm",  "pipeline",  "diagnose", "page"},
+      {"base", "rigid", "recording", "physics", "scene", "timeline", "study", "system", "image",
+       "video", "plot", "picture", "interchange", "store", "farm", "pipeline", "diagnose", "page"},
       {"CLI/", "Eigen/", "glib.h", "zip.h"},
-      {"geometry"}}}};
+      {"body", "geometry", "render"}}}};
 
 // Headers of the standard that the core may include, so that it runs in a browser and gives the
 // same bits everywhere: without operating system, threads, clocks, streams, and what differs

@@ -11,9 +11,10 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/version.h"
-#include "physics/motion_start.h"
 #include "scene/key_rows.h"
 #include "scene/names.h"
+#include "scene/overlays.h"
+#include "timeline/why_numbers.h"
 
 namespace rotatebook::bridge {
 namespace {
@@ -52,6 +53,19 @@ Json keysJson() {
   return object;
 }
 
+/// Returns the models that each overlay is of.
+Json overlaysJson() {
+  Json object;
+  for (const scene::OverlayRow& row : scene::kOverlayRows) {
+    Json models = Json::array();
+    for (const auto& [name, model] : scene::kModels) {
+      if (scene::isFor({.model = model}, row.overlay)) models.push_back(name);
+    }
+    object[std::string(row.name)] = models;
+  }
+  return object;
+}
+
 /// Returns [[i, j, length]] for the springs between all pairs of corners. [m]
 Json springsJson(const body::Cuboid& body) {
   const body::Cage corners = body.corners();
@@ -71,7 +85,7 @@ Json motionJson(const scene::Panel& panel) {
   object["label"] = panel.label;
   object["model"] = scene::nameOf(scene::kModels, simulation.model);
   object["body"] = vectorJson(panel.body.size);
-  object["moments"] = vectorJson(physics::modelInertia(panel.motion()).moments);
+  object["moments"] = vectorJson(timeline::momentsOf(panel));
   // A page draws springs between the corners of the cage.
   const bool areCorners = simulation.particles.arrangement == physics::Arrangement::Corners;
   if (simulation.model == physics::Model::Particles && areCorners)
@@ -98,6 +112,7 @@ Json wordsJson() {
   return {{"version", kVersion},
           {"models", arrayOf(models, modelJson)},
           {"keys", keysJson()},
+          {"overlays", overlaysJson()},
           {"longestScene", document::kLongestToml},
           {"maxNudges", scene::kMaxNudges}};
 }

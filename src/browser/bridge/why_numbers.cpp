@@ -1,19 +1,14 @@
 #include "bridge/why_numbers.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include <Eigen/Geometry>
 
 #include "base/json.h"
 #include "bridge/bridge.h"
-#include "physics/free_motion.h"
-#include "physics/motion_start.h"
-#include "rigid/energy_ladder.h"
-#include "rigid/poinsot.h"
 #include "timeline/spin.h"
+#include "timeline/why_numbers.h"
 
 namespace rotatebook::bridge {
 namespace {
@@ -64,65 +59,16 @@ std::vector<double> PlayedForces::at(const PlayedScene& played, std::int64_t fra
 
 std::vector<double> ladderNumbers(const PlayedScene& played, std::size_t motion,
                                   std::int64_t frame) {
-  const auto inertia = physics::modelInertia(played.scene().motions.at(motion));
-  const rigid::EnergyLadder ladder(inertia.moments);
-  const physics::Sample& sample = played.samples(motion)[played.indexOf(motion, frame)];
-  const Vector3d momentum = physics::momentumAlong(inertia, sample);
-  const double energy = sample.total() / momentum.squaredNorm();
-  const rigid::LadderPlace now = ladder.placeOf(momentum, energy);
-  std::vector<double> numbers{now.height, ladder.reachAt(energy) / std::numbers::pi,
-                              now.angle / std::numbers::pi, 100 * ladder.aboveMiddle(energy)};
-  for (const int axis : ladder.axes()) {
-    const bool isTurned = !inertia.bodyFromPrincipal.isIdentity(1e-9);
-    const double spin = ladder.energyOf(axis);
-    numbers.insert(numbers.end(), {static_cast<double>(axis), isTurned ? 1.0 : 0.0,
-                                   ladder.heightOf(spin), ladder.reachAt(spin) / std::numbers::pi});
-  }
-  for (const rigid::LadderPlace& place : ladder.outline())
-    numbers.insert(numbers.end(), {place.height, place.angle / std::numbers::pi});
-  return numbers;
+  return timeline::ladderNumbers(played.scene().motions.at(motion),
+                                 played.samples(motion)[played.indexOf(motion, frame)]);
 }
 
 std::vector<double> poinsotNumbers(const PlayedScene& played, std::size_t motion,
                                    std::int64_t frame, std::int64_t trail) {
-  const scene::Panel& panel = played.scene().motions.at(motion);
-  const auto inertia = physics::modelInertia(panel);
-  Vector3d semiAxes = rigid::inertiaSemiAxes(inertia.moments);
-  const double scale = panel.body.largestDimension() / 2 / semiAxes.maxCoeff();
-  semiAxes *= scale;
-  const auto contactOf = [&](const physics::Sample& sample) -> Vector3d {
-    const auto poinsot = rigid::poinsotOf(inertia.moments, physics::momentumAlong(inertia, sample));
-    return scale * (inertia.bodyFromPrincipal * poinsot.contact);
-  };
-
-  const std::vector<physics::Sample>& samples = played.samples(motion);
-  const std::size_t index = played.indexOf(motion, frame);
-  const physics::Sample& sample = samples[index];
-  const Matrix3d frameFromWorld = played.frameOf(motion).fromWorld(sample);
-  const Matrix3d frameFromBody = frameFromWorld * sample.attitude.toRotationMatrix();
-  const Vector3d centre = frameFromWorld * sample.cage.rowwise().mean();
-  const double distance =
-      scale * rigid::poinsotOf(inertia.moments, physics::momentumAlong(inertia, sample)).distance;
-  if (!std::isfinite(distance)) return {};
-  const auto radii = rigid::herpolhodeRadii(semiAxes, distance);
-  const Vector3d normal = sample.angularMomentum.normalized(), across = normal.unitOrthogonal();
-
-  std::vector<double> numbers{distance, radii.least, radii.greatest, semiAxes.maxCoeff()};
-  append(numbers, centre);
-  append(numbers, Matrix3d(frameFromBody * inertia.bodyFromPrincipal * semiAxes.asDiagonal()));
-  append(numbers, Vector3d(frameFromWorld * across));
-  append(numbers, Vector3d(frameFromWorld * normal.cross(across)));
-  append(numbers, Vector3d(frameFromWorld * normal));
-  const std::vector<std::size_t> starts = physics::freeStarts(samples, panel.nudges);
-  const std::size_t since = *std::prev(std::upper_bound(starts.begin(), starts.end(), index));
-  const auto length = static_cast<std::size_t>(std::clamp<std::int64_t>(trail, 0, kMaxTrail));
-  for (std::size_t i = std::max(since, index - std::min(index, length)); i <= index; ++i) {
-    const Vector3d contact = contactOf(samples[i]);
-    if (!contact.allFinite()) continue;
-    append(numbers, Vector3d(centre + frameFromBody * contact));
-    append(numbers, Vector3d(centre + frameFromWorld * (samples[i].attitude * contact)));
-  }
-  return numbers;
+  return timeline::poinsotNumbers(
+      played.scene().motions.at(motion), played.samples(motion), played.indexOf(motion, frame),
+      played.frameOf(motion),
+      static_cast<std::size_t>(std::clamp<std::int64_t>(trail, 0, kMaxTrail)));
 }
 
 Json spinJson(const scene::Motion& motion) {

@@ -108,8 +108,7 @@ class Controls {
     input.addEventListener("change", () => this.player.see(this.player.scene.withShown(overlay, input.checked)));
     this.#group("shown").append(row);
     this.refreshers.push((scene, book, model) => {
-      const isOfParticles = this.#has(model, "simulation.stiffness");
-      row.hidden = (overlay === "springs" && !isOfParticles) || (overlay === "poinsot" && isOfParticles);
+      row.hidden = !this.player.core.words.overlays[overlay].includes(model);
       input.checked = scene.shows(overlay);
     });
   }

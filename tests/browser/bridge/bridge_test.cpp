@@ -344,6 +344,7 @@ TEST(Bridge, SaysWhatKeysTakeAndWhoseMotionsTheyChange) {
   EXPECT_THAT(words, HasSubstr(R"("simulation.stiffness":{"type":"number","unit":"N/m",)"
                                R"("models":["particles"],)"));
   EXPECT_THAT(words, HasSubstr(R"("choices":["none","size"])"));
+  EXPECT_THAT(words, HasSubstr(R"("springs":["particles"],)"));
   EXPECT_THAT(words, HasSubstr(R"("longestScene":32768,"maxNudges":100})"));
 }
 

@@ -137,7 +137,7 @@ bool printsForPrograms(const CLI::App& command) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  for (const char* one : {"list", "info", "judge", "toss", "help", "status"}) {
+  for (const char* one : {"info", "judge", "toss", "help", "status"}) {
     if (name == one) return true;
   }
   return printsForPrograms(command);

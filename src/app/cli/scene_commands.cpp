@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <optional>
 #include <string>
@@ -45,19 +44,6 @@ struct SceneFile {
   std::vector<std::string> errors{};  ///< Why the scene isn't usable; empty if it is.
 };
 
-/// Reads a file by `read`; reports and keeps the message if it is wrong.
-template <typename Read>
-SceneFile readFile(const fs::path& path, const Read& read) {
-  SceneFile file{path};
-  try {
-    file.scene = read(path);
-  } catch (const InputError& error) {
-    printError(error.what());
-    file.errors.emplace_back(error.what());
-  }
-  return file;
-}
-
 int statusOfAll(const std::vector<SceneFile>& files) {
   const bool ok =
       std::ranges::all_of(files, [](const SceneFile& file) { return file.errors.empty(); });
@@ -70,45 +56,84 @@ struct CheckArguments {
   bool json = false, print = false, schema = false;
 };
 
-Json fileObject(const SceneFile& file) {
-  Json object;
-  object["path"] = file.path.string();
-  object["ok"] = file.errors.empty();
-  object["errors"] = file.errors;
-  return object;
-}
-
 Json labelsJson(const scene::Scene& scene) {
   if (!scene.hasPanels()) return Json::array();
   return arrayOf(scene.motions, [](const scene::Panel& panel) { return panel.label; });
 }
 
 Json checkJson(const SceneFile& file) {
-  Json object = fileObject(file);
-  object["notes"] = file.notes;
-  if (!file.scene) return object;
-  if (file.frames) object["frames"] = *file.frames;
-  object["panels"] = labelsJson(*file.scene);
-  return object;
-}
-
-Json listJson(const SceneFile& file) {
-  Json object = fileObject(file);
+  Json object{{"path", file.path.string()},
+              {"ok", file.errors.empty()},
+              {"errors", file.errors},
+              {"notes", file.notes}};
   if (!file.scene) return object;
   const scene::Scene& scene = *file.scene;
-  object["name"] = scene.name;
-  object["title"] = scene.title;
-  object["duration_s"] = scene.clip.duration;
-  object["width"] = scene.clip.width;
-  object["height"] = scene.clip.height;
-  object["frames"] = scene.clip.frameCount();
-  object["panels"] = labelsJson(scene);
-  object["has_study"] = scene.study.has_value();
+  if (file.frames) object["frames"] = *file.frames;
+  object.update({{"panels", labelsJson(scene)},
+                 {"name", scene.name},
+                 {"title", scene.title},
+                 {"duration_s", scene.clip.duration},
+                 {"width", scene.clip.width},
+                 {"height", scene.clip.height},
+                 {"has_study", scene.study.has_value()}});
   return object;
 }
 
-void printJson(const std::vector<SceneFile>& files, Json (*asJson)(const SceneFile&)) {
-  std::cout << jsonText({{"scenes", arrayOf(files, asJson)}}) << '\n';
+/// The paths that were named, with the scenes below a folder in its place.
+struct NamedScenes {
+  std::vector<fs::path> paths{};
+  std::vector<SceneFile> unlisted{};  ///< Folders that can't be listed.
+  bool isFolder = false;              ///< One of those that were named, at least.
+
+  void addFolder(const std::string& folder) {
+    const auto [scenes, problems] = store::scenesBelow(folder);
+    if (scenes.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
+    isFolder = true;
+    paths.insert(paths.end(), scenes.begin(), scenes.end());
+    for (const auto& [path, message] : problems) {
+      printError(message);
+      unlisted.push_back({.path = path, .errors = {message}});
+    }
+  }
+};
+
+NamedScenes namedIn(const std::vector<std::string>& words) {
+  NamedScenes named;
+  for (const std::string& word : words) {
+    std::error_code ignored;
+    if (fs::is_directory(word, ignored))
+      named.addFolder(word);
+    else
+      named.paths.emplace_back(word);
+  }
+  return named;
+}
+
+/// Checks the scene in a file.
+SceneFile checkFile(const fs::path& path, const CheckArguments& arguments) {
+  SceneFile file{path};
+  try {
+    const scene::Scene scene = arguments.sceneOptions.read(path);
+    refuseSameNames({scene});
+    file.notes = picture::preflight(scene).notes;
+    reportNotes(scene, file.notes, std::cerr);
+    if (arguments.json) file.frames = timeline::simulateScene(scene).frameCount();
+    file.scene = scene;
+  } catch (const InputError& error) {
+    printError(error.what());
+    file.errors.emplace_back(error.what());
+  }
+  return file;
+}
+
+void printList(const std::vector<SceneFile>& files) {
+  std::size_t width = 0;
+  for (const SceneFile& file : files) width = std::max(width, file.path.string().size());
+  for (const SceneFile& file : files) {
+    if (!file.scene) continue;
+    std::cout << fmt::format("{:<{}}  {:>4} s  {}\n", oneLine(file.path.string()), width,
+                             shortestText(file.scene->clip.duration), file.scene->title);
+  }
 }
 
 int checkScenes(const CheckArguments& arguments) {
@@ -117,59 +142,18 @@ int checkScenes(const CheckArguments& arguments) {
     return kDone;
   }
   if (arguments.paths.empty()) throw InputError("name the scenes to check");
-  std::vector<std::string> notes;  // on the file that is read
-  const auto check = [&](const fs::path& path) {
-    const scene::Scene scene = arguments.sceneOptions.read(path);
-    refuseSameNames({scene});
-    picture::preflight(scene);
-    notes = picture::notesOn(scene);
-    reportNotes(scene, notes, std::cerr);
-    return scene;
-  };
-  std::vector<SceneFile> files;
-  for (const std::string& path : arguments.paths) {
-    files.push_back(readFile(path, check));
-    SceneFile& file = files.back();
-    if (!file.errors.empty()) continue;
-    file.notes = notes;
-    if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
-    if (arguments.json) continue;
+  const NamedScenes named = namedIn(arguments.paths);
+  const bool isList = named.isFolder && !arguments.print && !arguments.json;
+  std::vector<SceneFile> files = named.unlisted;
+  for (const fs::path& path : named.paths) {
+    files.push_back(checkFile(path, arguments));
+    const SceneFile& file = files.back();
+    if (!file.scene || arguments.json || isList) continue;
     const std::string name = system::nameOfInput(path);
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(name) + ": ok\n");
   }
-  if (arguments.json) printJson(files, checkJson);
-  return statusOfAll(files);
-}
-
-void printList(const std::vector<SceneFile>& files) {
-  std::size_t width = 0;
-  for (const SceneFile& file : files) width = std::max(width, file.path.string().size());
-  for (const SceneFile& file : files) {
-    if (!file.scene) continue;
-    std::cout << std::left << std::setw(static_cast<int>(width)) << oneLine(file.path.string())
-              << "  " << std::right << std::setw(4) << shortestText(file.scene->clip.duration)
-              << " s  " << file.scene->title << '\n';
-  }
-}
-
-struct ListArguments {
-  std::string folder = "scenes";
-  bool json = false;
-};
-
-int listScenes(const ListArguments& arguments) {
-  const std::string& folder = arguments.folder;
-  const auto [paths, problems] = store::scenesBelow(folder);
-  if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
-  std::vector<SceneFile> files;
-  for (const auto& [path, message] : problems) {
-    printError(message);
-    files.push_back({.path = path, .errors = {message}});
-  }
-  for (const fs::path& path : paths) {
-    files.push_back(readFile(path, [](const fs::path& file) { return store::readScene(file); }));
-  }
-  arguments.json ? printJson(files, listJson) : printList(files);
+  if (isList) printList(files);
+  if (arguments.json) std::cout << jsonText({{"scenes", arrayOf(files, checkJson)}}) << '\n';
   return statusOfAll(files);
 }
 
@@ -177,34 +161,28 @@ int listScenes(const ListArguments& arguments) {
 
 void addCheckCommand(CLI::App& program, Action& action) {
   auto [command, arguments] =
-      addCommand(program, action, "check", "Validate scenes; writes nothing", checkScenes);
-  CLI::Option* files = command.add_option("FILE", arguments.paths, "Scene files");
+      addCommand(program, action, "check",
+                 "Validate scenes, or list those of folders; writes nothing", checkScenes);
+  CLI::Option* files = command.add_option("SCENE", arguments.paths,
+                                          "Scene files, or folders, whose scenes are listed");
   command
       .add_flag("--schema", arguments.schema,
-                "Print the JSON Schema of scenes, for editors, in place of FILE")
+                "Print the JSON Schema of scenes, for editors, in place of SCENE")
       ->excludes(files);
-  CLI::Option* json =
-      command.add_flag("--json", arguments.json,
-                       "Print one JSON object: each file's errors, notes and number of frames");
+  CLI::Option* json = command.add_flag(
+      "--json", arguments.json,
+      "Print one JSON object: each scene's errors, notes, title, size and number of frames");
   command.add_flag("--print", arguments.print, "Print the scenes with every default explicit")
       ->excludes(json);
   arguments.sceneOptions.addTo(command);
   command.footer(R"(
+Of a folder, prints each scene below it that is right, with its length and title.
+
 Examples:
   rotatebook check scenes/*.toml
+  rotatebook check scenes
   rotatebook check scenes/starter.toml --print > full.toml
   rotatebook check --schema > scene.schema.json)");
-}
-
-void addListCommand(CLI::App& program, Action& action) {
-  auto [command, arguments] =
-      addCommand(program, action, "list", "List the scenes below a folder", listScenes);
-  command.add_option("DIR", arguments.folder, "Folder")
-      ->capture_default_str()
-      ->check(notStandardInput);
-  command.add_flag("--json", arguments.json,
-                   "Print one JSON object: each scene's title, length and size");
-  command.footer("\nExample:\n  rotatebook list scenes/figures");
 }
 
 namespace {

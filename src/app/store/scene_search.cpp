@@ -51,8 +51,7 @@ FoundScenes scenesBelow(const fs::path& folder) {
   std::error_code error;
   const fs::directory_iterator ignored(folder, error);
   if (error) {
-    throw InputError("can't list the scenes in " + folder.string() + ": " + error.message() +
-                     "; name a folder that holds scenes: rotatebook list DIR");
+    throw InputError("can't list the scenes in " + folder.string() + ": " + error.message());
   }
   FoundScenes found;
   std::vector<fs::path> left{folder};

@@ -133,7 +133,7 @@ TEST_F(HostileScene, RunsNothing) {
   write("scenes/b.toml", kWordsOfCommands);
   EXPECT_EQ(run({"render", "scenes/b.toml", "--no-png"}).status, 0);
   EXPECT_EQ(run({"study", "scenes/b.toml"}).status, 0);
-  EXPECT_EQ(run({"list", "scenes"}).status, 0);
+  EXPECT_EQ(run({"check", "scenes"}).status, 0);
   for (const std::string& file : files()) EXPECT_THAT(file, ::testing::Not(HasSubstr("ran")));
 }
 

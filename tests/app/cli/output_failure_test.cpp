@@ -286,7 +286,7 @@ TEST_F(OutputFailure, StandardOutputThatIsFull) {
         {"render", "tiny.toml", "--no-png", "--no-mp4"},
         {"check", "tiny.toml"},
         {"check", "--print", "tiny.toml"},
-        {"list", "."},
+        {"check", "."},
         {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
         {"--version"},
         {"render", "--help"}}) {

@@ -43,7 +43,7 @@ TEST_F(PrintedNames, AreEscapedInReports) {
   expectSafe({"assemble", kFolder + "/tiny", "-o", kFolder + "/a.mp4"});
   expectSafe({"verify", video});
   expectSafe({"verify", video, "--again", kFolder + "/again"});
-  expectSafe({"list", kFolder}, 2);
+  expectSafe({"check", kFolder}, 2);
   expectSafe({"check", kFolder + "/none.toml"}, 2);
   expectSafe({"bench", kFolder + "/none.toml"}, 2);
   expectSafe({"check", "--print", kFolder + "/tiny/scene.toml"});

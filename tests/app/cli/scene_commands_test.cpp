@@ -1,4 +1,4 @@
-// `rotatebook still`, `check`, `scene` and `list`.
+// `rotatebook still` and `check`.
 #include <filesystem>
 #include <string>
 
@@ -127,33 +127,33 @@ TEST_F(SceneCommandsTest, PrintedSceneRendersTheSame) {
   EXPECT_EQ(read("a/tiny/frame_00011.png"), read("b/tiny/frame_00011.png"));
 }
 
-TEST_F(SceneCommandsTest, ListNamesScenesWithLengthAndTitle) {
+TEST_F(SceneCommandsTest, CheckOfAFolderListsScenesWithLengthAndTitle) {
   write("more/longer-name.toml", kTiny);
   write("more/note.txt", "no scene");
-  const ChildResult result = runWithoutGraphics({"list", "."});
+  const ChildResult result = runWithoutGraphics({"check", "."});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.output,
             "./more/longer-name.toml   0.2 s  Tiny\n"
             "./tiny.toml               0.2 s  Tiny\n");
 }
 
-TEST_F(SceneCommandsTest, ListShowsWrongScenesAndGoesOn) {
+TEST_F(SceneCommandsTest, CheckOfAFolderShowsWrongScenesAndGoesOn) {
   write("a.toml", "titel = 'T'\n");
-  const ChildResult result = run({"list", "."});
+  const ChildResult result = run({"check", "."});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.output, "./tiny.toml   0.2 s  Tiny\n");
   EXPECT_EQ(result.error,
             "rotatebook: ./a.toml:1:1: unknown key \"titel\"; did you mean \"title\"?\n");
 }
 
-TEST_F(SceneCommandsTest, ListNamesWhatItCannotReadAndGoesOn) {
+TEST_F(SceneCommandsTest, CheckOfAFolderNamesWhatItCannotReadAndGoesOn) {
   write("a/closed/b.toml", kTiny);
   write("a/hidden.toml", kTiny);
   fs::permissions(folder() / "a/closed", fs::perms::none);
   fs::permissions(folder() / "a/hidden.toml", fs::perms::none);
   ChildSettings settings;
   settings.obeysPermissions = true;
-  const ChildResult result = run({"list", "."}, settings);
+  const ChildResult result = run({"check", "."}, settings);
   fs::permissions(folder() / "a/closed", fs::perms::owner_all);
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.output, "./tiny.toml       0.2 s  Tiny\n");
@@ -162,31 +162,26 @@ TEST_F(SceneCommandsTest, ListNamesWhatItCannotReadAndGoesOn) {
             "rotatebook: ./a/hidden.toml: can't be read: Permission denied\n");
 }
 
-TEST_F(SceneCommandsTest, ListNamesLinksToNothing) {
+TEST_F(SceneCommandsTest, CheckOfAFolderNamesLinksToNothing) {
   fs::create_symlink("nowhere", folder() / "far-away.toml");
-  const ChildResult result = run({"list", "."});
+  const ChildResult result = run({"check", "."});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.output, "./tiny.toml       0.2 s  Tiny\n");
   EXPECT_EQ(result.error, "rotatebook: ./far-away.toml: scene not found\n");
 }
 
-TEST_F(SceneCommandsTest, ListLeavesOutWhatRendersLeave) {
+TEST_F(SceneCommandsTest, CheckOfAFolderLeavesOutWhatRendersLeave) {
   run({"render", "tiny.toml"});
   for (const char* name :
        {"out/x.partial/scene.toml", "out/x.replaced/scene.toml", "out/mine/scene.toml"}) {
     write(name, kTiny);
   }
   ASSERT_TRUE(has("out/tiny/scene.toml"));
-  EXPECT_EQ(run({"list", "."}).output,
+  EXPECT_EQ(run({"check", "."}).output,
             "./out/mine/scene.toml   0.2 s  Tiny\n"
             "./tiny.toml             0.2 s  Tiny\n");
   fs::create_directory_symlink(folder(), folder() / "out/mine/back");
-  EXPECT_EQ(run({"list", "out"}).output, "out/mine/scene.toml   0.2 s  Tiny\n");
-}
-
-TEST_F(SceneCommandsTest, ListIsOfTheFolderScenesByDefault) {
-  write("scenes/a.toml", kTiny);
-  EXPECT_EQ(run({"list"}).output, "scenes/a.toml   0.2 s  Tiny\n");
+  EXPECT_EQ(run({"check", "out"}).output, "out/mine/scene.toml   0.2 s  Tiny\n");
 }
 
 }  // namespace

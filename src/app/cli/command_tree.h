@@ -13,6 +13,13 @@ inline std::vector<const CLI::App*> commandsOf(const CLI::App& program) {
   return program.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
 }
 
+/// Lists their names.
+inline std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
+  return names;
+}
+
 /// Lists the named options of `command` for users, in the order of the help.
 inline std::vector<const CLI::Option*> optionsOf(const CLI::App& command) {
   return command.get_options([](const CLI::Option* option) {

@@ -27,12 +27,6 @@ std::string summary(const std::string& description, std::string_view letters,
   return result;
 }
 
-std::vector<std::string> commandNames(const CLI::App& program) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : commandsOf(program)) names.push_back(command->get_name());
-  return names;
-}
-
 /// Returns the names of an option with their dashes.
 std::vector<std::string> namesOf(const CLI::Option& option) {
   std::vector<std::string> names;

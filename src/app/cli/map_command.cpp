@@ -23,6 +23,7 @@
 #include "pipeline/make_map.h"
 #include "pipeline/map_options.h"
 #include "plot/map_plot.h"
+#include "scene/names.h"
 #include "scene/scene.h"
 #include "store/study_files.h"
 #include "study/map_files.h"
@@ -72,17 +73,9 @@ std::string factsLine(const study::MapFacts& facts) {
 
 std::string valueText(double value) {
   constexpr int kDigits = 5;
-  switch (study::outcomeOf(value)) {
-    case scene::Outcome::Value:
-      break;
-    case scene::Outcome::Never:
-      return "never";
-    case scene::Outcome::Diverged:
-      return "diverged";
-    case scene::Outcome::Refused:
-      return "refused";
-  }
-  return roundedText(value, kDigits);
+  const scene::Outcome outcome = study::outcomeOf(value);
+  return outcome == scene::Outcome::Value ? roundedText(value, kDigits)
+                                          : std::string(nameOf(scene::kOutcomes, outcome));
 }
 
 Json mapJson(const MapTask& task) {

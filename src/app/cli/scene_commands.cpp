@@ -27,6 +27,7 @@
 #include "store/scene_name.h"
 #include "store/scene_search.h"
 #include "system/atomic_file.h"
+#include "system/read_file.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::cli {

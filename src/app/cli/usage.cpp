@@ -9,6 +9,7 @@
 
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "cli/command_tree.h"
 #include "cli/option_checks.h"
 #include "scene/key_rows.h"
 
@@ -27,13 +28,6 @@ std::string echoed(std::string_view argument) {
 const CLI::App& chosen(const CLI::App& program) {
   const auto commands = program.get_subcommands();
   return commands.empty() ? program : *commands.front();
-}
-
-std::vector<std::string> commandNames(const CLI::App& program) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({}))
-    if (!command->get_group().empty()) names.push_back(command->get_name());
-  return names;
 }
 
 /// Returns "size" and so on; one letter is as near to any other.

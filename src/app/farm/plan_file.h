@@ -18,6 +18,13 @@ namespace rotatebook::farm {
 struct Jobs {
   std::vector<std::string> arrays{};  ///< Each of some of the tasks.
   std::string join{};
+
+  /// Returns them all, the join last.
+  std::vector<std::string> all() const {
+    std::vector<std::string> jobs = arrays;
+    if (!join.empty()) jobs.push_back(join);
+    return jobs;
+  }
 };
 
 /// A plan as it is on the disk.

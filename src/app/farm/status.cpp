@@ -38,9 +38,7 @@ const QueuedJob* jobOf(std::int64_t task, const Queue& queue) {
 Queue queueOf(const Jobs& jobs, std::string& problem) {
   Queue queue;
   try {
-    std::vector<std::string> all = jobs.arrays;
-    if (!jobs.join.empty()) all.push_back(jobs.join);
-    for (const QueuedJob& job : readQueue(all)) {
+    for (const QueuedJob& job : readQueue(jobs.all())) {
       QueuedJob& known = queue[taskOf(job, jobs)];
       // Of a task that was submitted again, the try that is yet to end counts
       if (known.job.empty() || job.isActive() || !known.isActive()) known = job;

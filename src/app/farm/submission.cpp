@@ -14,12 +14,6 @@
 namespace rotatebook::farm {
 namespace {
 
-std::vector<std::string> allOf(const Jobs& jobs) {
-  std::vector<std::string> all = jobs.arrays;
-  if (!jobs.join.empty()) all.push_back(jobs.join);
-  return all;
-}
-
 /// Returns the jobs of which something is still in the queue.
 std::vector<std::string> queuedOf(const std::vector<QueuedJob>& queue) {
   std::set<std::string> queued;
@@ -63,7 +57,7 @@ struct EarlierJobs {
 
 EarlierJobs earlierJobs(const Jobs& jobs) {
   EarlierJobs earlier;
-  for (const QueuedJob& job : readQueue(allOf(jobs))) {
+  for (const QueuedJob& job : readQueue(jobs.all())) {
     if (job.isHeld()) earlier.held.push_back(job.name());
     if (!job.isActive()) continue;
     if (job.job == jobs.join) {
@@ -128,7 +122,7 @@ std::optional<StoredPlan> continued(const Plan& plan, const PlanFiles& files) {
 }
 
 void requireNoneQueued(const StoredPlan& earlier, const Plan& plan) {
-  const std::vector<std::string> queued = queuedOf(readQueue(allOf(earlier.jobs)));
+  const std::vector<std::string> queued = queuedOf(readQueue(earlier.jobs.all()));
   if (queued.empty()) return;
   throw InputError(
       fmt::format("an earlier submission into {} is still in the queue, and {}; cancel it (scancel "

@@ -7,6 +7,8 @@
 #include <span>
 #include <string_view>
 
+#include <fmt/core.h>
+
 #include "system/file_checksum.h"
 
 namespace rotatebook::system {
@@ -19,12 +21,8 @@ std::size_t padded(std::size_t size) {
 }
 
 std::string hexadecimal(Bytes bytes) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
-  for (const unsigned char byte : bytes) {
-    text += kDigits[byte / 16U];
-    text += kDigits[byte % 16U];
-  }
+  for (const unsigned char byte : bytes) text += fmt::format("{:02x}", byte);
   return text;
 }
 

@@ -1,5 +1,6 @@
 #include "render/compositor.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -29,6 +30,27 @@ void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image
   }
 }
 
+/// Adds the pixels of a band between which the material changes: where one surface goes through
+/// another, neither has an edge.
+void addMeetings(const image::Image& drawn, const geometry::PixelRect& band,
+                 const AlikeSurfaces& alike, EdgePixels& pixels) {
+  const auto meet = [&alike](std::uint8_t one, std::uint8_t other) {
+    return one != 0 && other != 0 && alike[one] != alike[other];
+  };
+  for (int y = band.y; y < band.y + band.height; ++y) {
+    const int next = std::min(y + 1, band.y + band.height - 1);  // Beyond are older pictures.
+    const std::uint8_t* here = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x) + 3;
+    const std::uint8_t* above = drawn.row(next) + 4 * static_cast<std::ptrdiff_t>(band.x) + 3;
+    for (int x = band.x; x + 1 < band.x + band.width; ++x, here += 4, above += 4) {
+      if (here[0] == here[4] && here[0] == above[0]) continue;
+      const bool across = meet(here[0], here[4]), up = meet(here[0], above[0]);
+      if (across || up) pixels.add(x, y);
+      if (across) pixels.add(x + 1, y);
+      if (up) pixels.add(x, y + 1);
+    }
+  }
+}
+
 }  // namespace
 
 Compositor::Compositor(image::Image background, int supersample, const geometry::Mesh& mesh)
@@ -36,7 +58,8 @@ Compositor::Compositor(image::Image background, int supersample, const geometry:
       supersample_(supersample),
       edges_(mesh),
       edgePixels_(background_.width(), background_.height()),
-      samples_(alikeSurfacesOf(mesh)) {
+      alike_(alikeSurfacesOf(mesh)),
+      samples_(alike_) {
   if (supersample_ > 1) large_ = background_;
 }
 
@@ -60,6 +83,8 @@ void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   triangles_.clear();
   edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
               triangles_);
+  for (const geometry::PixelRect& band : body.bands)
+    addMeetings(body.pixels, band, alike_, edgePixels_);
   edgePixels_.number();
   samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background, picture);
 }

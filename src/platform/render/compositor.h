@@ -34,6 +34,7 @@ class Compositor {
   BodyEdges edges_;
   EdgePixels edgePixels_;
   std::vector<ScreenTriangle> triangles_;
+  AlikeSurfaces alike_;
   EdgeSamples samples_;
   image::Image large_;  // The picture before downsampling, if supersampled.
 };

@@ -16,9 +16,11 @@ class EdgePixels {
   EdgePixels(int width, int height);
 
   void clear();
+  /// Adds a pixel, unless it is outside the picture.
+  void add(int x, int y);
   /// Adds all pixels that the line touches. `from`, `to`: [pixels]
   void addLine(const Eigen::Vector2f& from, const Eigen::Vector2f& to);
-  /// Numbers the pixels. Call it after the last addLine(), before count() and forEach().
+  /// Numbers the pixels. Call it after the last of them is added, before count() and forEach().
   void number();
 
   int width() const { return width_; }
@@ -56,8 +58,6 @@ class EdgePixels {
     bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fU;
     return bits * 0x0101010101010101U >> 56;
   }
-
-  void add(int x, int y);
 
   int width_, height_;
   std::size_t wordsPerRow_, count_ = 0;

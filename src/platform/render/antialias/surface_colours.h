@@ -13,7 +13,7 @@
 namespace rotatebook::render {
 
 /// By surface, one of those of its material; 0 for numbers that no surface has.
-using AlikeSurfaces = std::array<std::uint8_t, geometry::kMaxSurfaceId + 1>;
+using AlikeSurfaces = std::array<std::uint8_t, 256>;
 AlikeSurfaces alikeSurfacesOf(const geometry::Mesh& mesh);
 
 /// The colours of surfaces in one drawn picture.

@@ -69,8 +69,9 @@ DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress) {
   system::FirstError error;
-  system::Pool<image::Image> pictures(painter.makePicture(), kPicturesInFlight);
-  system::Pool<picture::Exposure> exposures(painter.makeExposure(), kExposuresInFlight);
+  system::Pool<image::Image> pictures([&] { return painter.makePicture(); }, kPicturesInFlight);
+  system::Pool<picture::Exposure> exposures([&] { return painter.makeExposure(); },
+                                            kExposuresInFlight);
   SinkWorkers workers(sinks, error);
   const auto finish = [&](const Unfinished& item) {
     const std::shared_ptr<image::Image> picture = pictures.take();

@@ -61,11 +61,13 @@ void addRows(const ImageView& large, const Covered& rows, std::vector<std::uint3
 
 }  // namespace
 
-void downsample(const Image& large, Image& picture) {
-  for (int y = 0; y < picture.height(); ++y) {
-    const std::uint8_t *upper = large.row(2 * y), *lower = large.row(2 * y + 1);
-    std::uint8_t* pixel = picture.row(y);
-    for (int x = 0; x < picture.width(); ++x, upper += 8, lower += 8, pixel += 4) {
+void downsample(const Image& large, int x, int y, int width, int height, Image& picture) {
+  const auto left = static_cast<std::ptrdiff_t>(x);
+  for (int row = y; row < y + height; ++row) {
+    const std::uint8_t* upper = large.row(2 * row) + 8 * left;
+    const std::uint8_t* lower = large.row(2 * row + 1) + 8 * left;
+    std::uint8_t* pixel = picture.row(row) + 4 * left;
+    for (int i = 0; i < width; ++i, upper += 8, lower += 8, pixel += 4) {
       LinearAccumulator sum;
       for (const std::uint8_t* one : {upper, upper + 4, lower, lower + 4}) sum.add(one, 1);
       sum.mean(4, pixel);

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
+
+#include "image/zeroed_memory.h"
 
 namespace rotatebook::image {
 
@@ -55,7 +56,7 @@ class Image {
   int width_ = 0;
   int height_ = 0;
   PixelFormat format_ = PixelFormat::Rgba8;
-  std::vector<std::uint8_t> bytes_;
+  ZeroedBytes bytes_;
 };
 
 /// Copies `piece` into `picture`, which has the same format, with its top left pixel at (x, y). It

@@ -128,7 +128,7 @@ struct Canvas::Parts {
 
   int width = 0, height = 0;
   Ink ink;
-  std::vector<std::uint8_t> pixels;
+  image::ZeroedBytes pixels;
   Surface surface;
   Cairo cairo;
   std::vector<Box> touched;

@@ -51,16 +51,36 @@ void addMeetings(const image::Image& drawn, const geometry::PixelRect& band,
   }
 }
 
+void copyPixels(const image::Image& from, const geometry::PixelRect& area, image::Image& to) {
+  const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
+  const std::size_t size = 4 * static_cast<std::size_t>(area.width);
+  for (int y = area.y; y < area.y + area.height; ++y)
+    std::memcpy(to.row(y) + left, from.row(y) + left, size);
+}
+
+void halve(const image::Image& large, const geometry::PixelRect& area, image::Image& picture) {
+  image::downsample(large, area.x / 2, area.y / 2, area.width / 2, area.height / 2, picture);
+}
+
+/// Returns the smallest area with even borders that holds another.
+geometry::PixelRect evenAround(const geometry::PixelRect& area) {
+  const int x = area.x & ~1, y = area.y & ~1;
+  return {x, y, (area.x + area.width - x + 1) & ~1, (area.y + area.height - y + 1) & ~1};
+}
+
 }  // namespace
 
-Compositor::Compositor(image::Image background, int supersample, const geometry::Mesh& mesh)
-    : background_(std::move(background)),
+Compositor::Compositor(const image::Image& background, int supersample, const geometry::Mesh& mesh)
+    : background_(background),
       supersample_(supersample),
       edges_(mesh),
       edgePixels_(background_.width(), background_.height()),
       alike_(alikeSurfacesOf(mesh)),
       samples_(alike_) {
-  if (supersample_ > 1) large_ = background_;
+  if (supersample_ == 1) return;
+  large_ = {background.width(), background.height(), image::PixelFormat::Rgba8};
+  halved_ = makePicture();
+  halve(background, wholePicture(), halved_);
 }
 
 image::Image Compositor::makePicture() const {
@@ -69,14 +89,24 @@ image::Image Compositor::makePicture() const {
 }
 
 void Compositor::compose(const DrawnBody& body, image::Image& picture) {
-  if (supersample_ == 1) return composeLarge(body, picture);
-  composeLarge(body, large_);
-  image::downsample(large_, picture);
+  const bool hasOwn = body.background.width() > 0;
+  const image::Image& background = hasOwn ? body.background : background_;
+  if (supersample_ == 1) {
+    picture = background;
+    return composeOver(background, body, picture);
+  }
+  // What the body doesn't touch is halved once for all pictures
+  std::vector<geometry::PixelRect> areas;
+  for (const geometry::PixelRect& band : body.bands) areas.push_back(evenAround(band));
+  if (hasOwn) areas = {wholePicture()};
+  if (!hasOwn) picture = halved_;
+  for (const geometry::PixelRect& area : areas) copyPixels(background, area, large_);
+  composeOver(background, body, large_);
+  for (const geometry::PixelRect& area : areas) halve(large_, area, picture);
 }
 
-void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
-  const image::Image& background = body.background.width() > 0 ? body.background : background_;
-  picture = background;
+void Compositor::composeOver(const image::Image& background, const DrawnBody& body,
+                             image::Image& picture) {
   if (body.bands.empty()) return;
   for (const geometry::PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "geometry/hull_bands.h"
 #include "geometry/mesh.h"
 #include "image/image.h"
 #include "render/antialias/body_edges.h"
@@ -17,26 +18,31 @@ namespace rotatebook::render {
 class Compositor {
  public:
   /// `background`: Rgba8, straight alpha, `supersample` (1 or 2) times as wide and high as the
-  /// pictures.
-  Compositor(image::Image background, int supersample, const geometry::Mesh& mesh);
+  /// pictures. Must outlive this.
+  Compositor(const image::Image& background, int supersample, const geometry::Mesh& mesh);
 
   /// Returns a picture of the right size and format for compose().
   image::Image makePicture() const;
-  const image::Image& background() const { return background_; }
   /// Overwrites all of `picture`, from makePicture(). `body` has the background's size.
   void compose(const DrawnBody& body, image::Image& picture);
 
  private:
-  void composeLarge(const DrawnBody& body, image::Image& picture);
+  geometry::PixelRect wholePicture() const {
+    return {0, 0, background_.width(), background_.height()};
+  }
+  /// Composes a body over a background that `picture` shows already where the body may be.
+  void composeOver(const image::Image& background, const DrawnBody& body, image::Image& picture);
 
-  image::Image background_;
+  const image::Image& background_;
   int supersample_;
   BodyEdges edges_;
   EdgePixels edgePixels_;
   std::vector<ScreenTriangle> triangles_;
   AlikeSurfaces alike_;
   EdgeSamples samples_;
-  image::Image large_;  // The picture before downsampling, if supersampled.
+  // If supersampled:
+  image::Image large_;   // The picture before it is halved, where the body may be.
+  image::Image halved_;  // The background.
 };
 
 }  // namespace rotatebook::render

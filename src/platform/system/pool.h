@@ -12,10 +12,11 @@ namespace rotatebook::system {
 template <typename T>
 class Pool {
  public:
-  /// Holds `count` > 0 copies of `pattern`.
-  Pool(const T& pattern, int count) {
+  /// Holds `count` > 0 items that `make` returns.
+  template <typename Make>
+  Pool(const Make& make, int count) {
     for (int i = 0; i < count; ++i) {
-      items_.push_back(std::make_unique<T>(pattern));
+      items_.push_back(std::make_unique<T>(make()));
       free_.push_back(items_.back().get());
     }
   }

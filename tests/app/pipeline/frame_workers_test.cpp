@@ -40,7 +40,7 @@ struct FrameWorkersTest : ::testing::Test {
   }
 
   system::FirstError error;
-  system::Pool<image::Image> pool{image::Image(4, 2, image::PixelFormat::Rgba8), 4};
+  system::Pool<image::Image> pool{[] { return image::Image(4, 2, image::PixelFormat::Rgba8); }, 4};
 };
 
 TEST_F(FrameWorkersTest, OneThreadWritesInOrder) {

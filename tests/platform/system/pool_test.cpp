@@ -11,22 +11,24 @@
 namespace rotatebook::system {
 namespace {
 
-const std::vector<int> kPattern{1, 2, 3};
+std::vector<int> pattern() {
+  return {1, 2, 3};
+}
 using VectorPool = Pool<std::vector<int>>;
 
 TEST(Pool, LendsPicturesLikeThePattern) {
-  VectorPool pool(kPattern, 1);
-  EXPECT_EQ(*pool.take(), kPattern);
+  VectorPool pool(pattern, 1);
+  EXPECT_EQ(*pool.take(), pattern());
 }
 
 TEST(Pool, LendsEachPictureToOneAtATime) {
-  VectorPool pool(kPattern, 3);
+  VectorPool pool(pattern, 3);
   const auto a = pool.take(), b = pool.take(), c = pool.take();
   EXPECT_EQ((std::set{a.get(), b.get(), c.get()}).size(), 3U);
 }
 
 TEST(Pool, LendsThemAgainAndMakesNoNewOnes) {
-  VectorPool pool(kPattern, 2);
+  VectorPool pool(pattern, 2);
   std::set<const std::vector<int>*> seen;
   for (int i = 0; i < 100; ++i) seen.insert(pool.take().get());
   const auto held = pool.take();
@@ -35,7 +37,7 @@ TEST(Pool, LendsThemAgainAndMakesNoNewOnes) {
 }
 
 TEST(Pool, TakesAPictureBackFromItsLastOwnerOnly) {
-  VectorPool pool(kPattern, 2);
+  VectorPool pool(pattern, 2);
   auto first = pool.take();
   const std::vector<int>* const lent = first.get();
   auto shared = first;
@@ -47,7 +49,7 @@ TEST(Pool, TakesAPictureBackFromItsLastOwnerOnly) {
 }
 
 TEST(Pool, WaitsUntilAPictureIsFree) {
-  VectorPool pool(kPattern, 1);
+  VectorPool pool(pattern, 1);
   auto held = pool.take();
   std::atomic<bool> given = false;
   bool givenWhenTaken = false;
@@ -65,7 +67,7 @@ TEST(Pool, WaitsUntilAPictureIsFree) {
 TEST(Pool, GoesRoundAmongThreads) {
   constexpr int kThreads = 4;
   constexpr int kTurns = 2000;
-  VectorPool pool(kPattern, 2);
+  VectorPool pool(pattern, 2);
   std::atomic<int> lent = 0, mostLent = 0, turns = 0;
   std::vector<std::thread> threads;
   for (int i = 0; i < kThreads; ++i) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "image/zeroed_memory.h"
 #include "overlay/cairo_handles.h"
 #include "overlay/palette.h"
 

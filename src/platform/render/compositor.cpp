@@ -95,7 +95,7 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
     picture = background;
     return composeOver(background, body, picture);
   }
-  // What the body doesn't touch is halved once for all pictures
+  // Elsewhere than the body the background is halved once for all pictures
   std::vector<geometry::PixelRect> areas;
   for (const geometry::PixelRect& band : body.bands) areas.push_back(evenAround(band));
   if (hasOwn) areas = {wholePicture()};

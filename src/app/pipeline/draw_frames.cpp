@@ -16,7 +16,6 @@
 namespace rotatebook::pipeline {
 namespace {
 
-constexpr int kPicturesInFlight = 8;
 constexpr int kExposuresInFlight = 3;
 
 /// A frame on its way to its picture: its exposure, or the PNG of an earlier run.
@@ -63,13 +62,22 @@ class SinkWorkers {
   std::vector<Entry> entries_;
 };
 
+/// Returns how many pictures there are at once: one in each thread that writes them, one that is
+/// composed, and two that wait for the slowest.
+int picturesInFlight(const std::vector<SinkThreads>& sinks) {
+  int count = 3;
+  for (const SinkThreads& entry : sinks) count += entry.threads;
+  return count;
+}
+
 }  // namespace
 
 DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames,
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress) {
   system::FirstError error;
-  system::Pool<image::Image> pictures([&] { return painter.makePicture(); }, kPicturesInFlight);
+  system::Pool<image::Image> pictures([&] { return painter.makePicture(); },
+                                      picturesInFlight(sinks));
   system::Pool<picture::Exposure> exposures([&] { return painter.makeExposure(); },
                                             kExposuresInFlight);
   SinkWorkers workers(sinks, error);

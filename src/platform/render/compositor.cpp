@@ -13,10 +13,11 @@
 namespace rotatebook::render {
 namespace {
 
+constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
+
 /// Copies the pixels that were drawn, as opaque, within a band.
 void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image::Image& picture) {
   // Pixels as integers and no branches: the compiler vectorises the loop.
-  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
   for (int y = band.y; y < band.y + band.height; ++y) {
     const std::uint8_t* from = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
     std::uint8_t* to = picture.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
@@ -30,23 +31,40 @@ void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image
   }
 }
 
+/// Returns whether the surface changes from one of `count` pixels to the next or to the one above.
+bool changes(const std::uint8_t* here, const std::uint8_t* above, int count) {
+  std::uint32_t changed = 0;
+  for (int i = 0; i < count; ++i, here += 4, above += 4) {
+    std::array<std::uint32_t, 3> pixels{};
+    std::memcpy(pixels.data(), here, 8);
+    std::memcpy(&pixels[2], above, 4);
+    changed |= (pixels[0] ^ pixels[1]) | (pixels[0] ^ pixels[2]);
+  }
+  return (changed & kAlpha) != 0;
+}
+
 /// Adds the pixels of a band between which the material changes: where one surface goes through
 /// another, neither has an edge.
 void addMeetings(const image::Image& drawn, const geometry::PixelRect& band,
                  const AlikeSurfaces& alike, EdgePixels& pixels) {
+  constexpr int kAtOnce = 16;  // As a rule none of them changes.
   const auto meet = [&alike](std::uint8_t one, std::uint8_t other) {
     return one != 0 && other != 0 && alike[one] != alike[other];
   };
+  const int last = band.x + band.width - 1;
   for (int y = band.y; y < band.y + band.height; ++y) {
     const int next = std::min(y + 1, band.y + band.height - 1);  // Beyond are older pictures.
-    const std::uint8_t* here = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x) + 3;
-    const std::uint8_t* above = drawn.row(next) + 4 * static_cast<std::ptrdiff_t>(band.x) + 3;
-    for (int x = band.x; x + 1 < band.x + band.width; ++x, here += 4, above += 4) {
-      if (here[0] == here[4] && here[0] == above[0]) continue;
-      const bool across = meet(here[0], here[4]), up = meet(here[0], above[0]);
-      if (across || up) pixels.add(x, y);
-      if (across) pixels.add(x + 1, y);
-      if (up) pixels.add(x, y + 1);
+    for (int x = band.x; x < last; x += kAtOnce) {
+      const int count = std::min(kAtOnce, last - x);
+      const std::uint8_t* here = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
+      const std::uint8_t* above = drawn.row(next) + 4 * static_cast<std::ptrdiff_t>(x);
+      if (!changes(here, above, count)) continue;
+      for (int i = 0; i < count; ++i, here += 4, above += 4) {
+        const bool across = meet(here[3], here[7]), up = meet(here[3], above[3]);
+        if (across || up) pixels.add(x + i, y);
+        if (across) pixels.add(x + i + 1, y);
+        if (up) pixels.add(x + i, y + 1);
+      }
     }
   }
 }

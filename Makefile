@@ -93,7 +93,7 @@ READERS ?= npm blender
 test-readers: program
 	@scripts/setup.sh $(READERS)
 	@for readers in $(READERS); do \
-	  tests/app/interchange/readers/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/readers $$readers || exit 1; done
+	  tests/app/picture/interchange/readers/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/readers $$readers || exit 1; done
 
 PREFIX ?= /usr/local
 install: program

@@ -81,7 +81,7 @@ throws installed-avx2 "-O3 -mavx2 -mfma" -DCMAKE_PREFIX_PATH="$build/prefix"
 throws subdirectory "-O1 -mavx2 -mfma" -DROTATEBOOK_SOURCE="$PWD"
 
 # Without CMake nobody passes the flags on.
-libraries=$(printf -- '-lrotatebook_%s ' study timeline scene document geometry physics recording rigid base)
+libraries=$(printf -- '-lrotatebook_%s ' study timeline scene geometry physics recording meshes body rigid base)
 library=$(dirname "$(find "$build/prefix" -name librotatebook_base.a)")
 # A program that takes no scene and simulates by itself.
 cat > "$build/simulator.cpp" << 'END'

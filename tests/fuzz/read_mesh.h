@@ -3,10 +3,10 @@
 
 #include "body/closed_surface.h"
 #include "body/mass_properties.h"
-#include "body/mesh_readers.h"
 #include "body/self_crossing.h"
 #include "body/shells.h"
 #include "fuzz/fuzzing.h"
+#include "meshes/mesh_readers.h"
 
 namespace rotatebook::fuzzing {
 
@@ -25,7 +25,7 @@ inline void requireLook(const body::Surface& surface) {
 
 inline void readMeshOrRefuse(const char* name, const std::uint8_t* bytes, std::size_t size) {
   mayRefuse([&] {
-    const body::Surface surface = body::readMesh(name, textOf(bytes, size)).surface;
+    const body::Surface surface = meshes::readMesh(name, textOf(bytes, size)).surface;
     const body::TriangleMesh& mesh = surface.mesh;
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t point : triangle) require(point < mesh.points.size());

@@ -16,7 +16,7 @@
 #include "cli/input_guard.h"
 #include "cli/option_checks.h"
 #include "cli/scene_options.h"
-#include "interchange/motion_file.h"
+#include "picture/interchange/motion_file.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
 

@@ -18,10 +18,10 @@
 #include "cli/recordings.h"
 #include "cli/scene_options.h"
 #include "cli/verdict_report.h"
+#include "physics/motion_start.h"
 #include "physics/recorded_start.h"
 #include "physics/simulate.h"
 #include "recording/recorded_motion.h"
-#include "rigid/inertia.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
 #include "timeline/simulate_scene.h"
@@ -60,8 +60,7 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   if (!arguments.size.empty()) {
     motion.body.size = threeNumbers(arguments.size, "--size");
   } else {
-    motion.inertia =
-        rigid::checkedInertia(threeNumbers(arguments.inertia, "--inertia").asDiagonal());
+    takeInertia(motion, threeNumbers(arguments.inertia, "--inertia").asDiagonal());
   }
   const recording::ReadOptions options = arguments.recording.read();
   const TableFile table = openRecording(file, "", options).motion;

@@ -36,12 +36,12 @@ std::vector<Surround> surfacesOf(const TriangleMesh& mesh) {
     sets.join(a, b);
     sets.join(b, c);
   }
-  constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
-  std::vector<std::size_t> places(mesh.points.size(), kNone);
+  constexpr std::size_t kUnassigned = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> places(mesh.points.size(), kUnassigned);
   std::vector<Surround> surfaces;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     std::size_t& place = places[sets.of(mesh.triangles[i][0])];
-    if (place == kNone) {
+    if (place == kUnassigned) {
       place = surfaces.size();
       surfaces.push_back({i});
     }

@@ -21,6 +21,10 @@ rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
   return {settings.body.solidInertia()};
 }
 
+void takeInertia(MotionSettings& settings, const Eigen::Matrix3d& tensor) {
+  settings.inertia = rigid::checkedInertia(tensor);
+}
+
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
   return settings.initial.angularVelocity(modelInertia(settings));
 }

@@ -13,6 +13,9 @@ namespace rotatebook::physics {
 
 /// Returns the inertia of the model in `settings`: of the particles, or of the rigid body.
 rigid::PrincipalAxes modelInertia(const MotionSettings& settings);
+/// Gives a motion a body of this inertia about its centre, in body axes. [kg m^2] Throws InputError
+/// as rigid::checkedInertia() does.
+void takeInertia(MotionSettings& settings, const Eigen::Matrix3d& tensor);
 /// Returns the angular velocity at t = 0, in body axes. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);

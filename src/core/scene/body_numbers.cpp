@@ -3,9 +3,9 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "body/closed_mesh.h"
-#include "body/mesh_readers.h"
 #include "body/self_crossing.h"
 #include "body/shells.h"
+#include "meshes/mesh_readers.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "rigid/inertia.h"
@@ -61,13 +61,13 @@ BodyNumbers bodyNumbersOf(const Panel& motion) {
 }
 
 bool isMesh(std::string_view name) {
-  return body::isMeshName(name);
+  return meshes::isMeshName(name);
 }
 
 BodyNumbers bodyNumbersOf(const std::string& name, std::string_view bytes,
                           const MeshSubstance& substance) {
   constexpr double kWater = 1000;  // [kg/m^3]
-  body::ClosedMesh file = body::readMesh(name, bytes);
+  body::ClosedMesh file = meshes::readMesh(name, bytes);
   try {
     body::TriangleMesh& mesh = file.surface.mesh;
     for (Eigen::Vector3d& point : mesh.points) point *= substance.unit;

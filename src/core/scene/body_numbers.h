@@ -46,7 +46,7 @@ struct MeshSubstance {
   std::optional<double> density{}, mass{};
 };
 
-/// Returns the numbers of the mesh called `name`. Throws InputError as body::readMesh() does, and
+/// Returns the numbers of the mesh called `name`. Throws InputError as meshes::readMesh() does, and
 /// if no body has such an inertia.
 BodyNumbers bodyNumbersOf(const std::string& name, std::string_view bytes,
                           const MeshSubstance& substance);

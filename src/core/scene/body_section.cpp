@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "body/mesh_readers.h"
+#include "meshes/mesh_readers.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/solid_keys.h"
 #include "scene/solid_numbers.h"
@@ -88,7 +88,7 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile, MeshFiles& 
   // A record of a clip has the numbers already
   if (node == nullptr || std::holds_alternative<TomlNode::Table>(node->value)) return;
   const auto* name = std::get_if<std::string>(&node->value);
-  if (name == nullptr || !body::isMeshName(*name)) {
+  if (name == nullptr || !meshes::isMeshName(*name)) {
     document::failAt(node->location,
                      "body.mesh must be the name of a file that ends in .obj, .stl, .ply or .glb, "
                      "not " +

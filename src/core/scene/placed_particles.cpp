@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "body/mesh_readers.h"
+#include "meshes/mesh_readers.h"
 #include "physics/particle_places.h"
 #include "physics/spring_analysis.h"
 #include "scene/keys/keys.h"
@@ -58,10 +58,6 @@ MassSpringSystem systemOf(const Motion& motion) {
   return physics::particlesOf(motion);
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string looseness(const MassSpringSystem& system) {
   if (const int pieces = physics::countPieces(system); pieces > 1)
     return "they are in " + std::to_string(pieces) + " pieces";
@@ -93,8 +89,8 @@ void requireShape(const MassSpringSystem& system, const Motion& motion) {
   if (physics::holdShape(system)) return;
   const std::string reason = system.places.empty()
                                  ? "has no point inside the body"
-                                 : "makes " + counted(system.places.size(), "particle") + " and " +
-                                       counted(system.springs.size(), "spring") +
+                                 : "makes " + countText(std::ssize(system.places), "particle") +
+                                       " and " + countText(std::ssize(system.springs), "spring") +
                                        ", which don't hold the shape: " + looseness(system);
   failAtParticles(motion,
                   reason + "; " + remedyFor(motion.simulation.particles.arrangement, motion));

@@ -11,8 +11,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "body/mesh_readers.h"
 #include "body/shape.h"
+#include "meshes/mesh_readers.h"
 #include "rigid/inertia.h"
 
 namespace rotatebook::scene {
@@ -151,7 +151,7 @@ SolidNumbers numbersOf(const Solid& solid) {
 }
 
 MeshFile readMeshFile(const std::string& name, std::string_view bytes) {
-  auto content = std::make_shared<const body::ClosedMesh>(body::readMesh(name, bytes));
+  auto content = std::make_shared<const body::ClosedMesh>(meshes::readMesh(name, bytes));
   const TriangleMesh& mesh = content->surface.mesh;
   const MassProperties properties = body::massPropertiesOf(mesh, 1);
   return {name,

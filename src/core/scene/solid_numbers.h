@@ -39,7 +39,7 @@ body::SolidPiece placed(const BodyPart& part);
 body::Surface surfaceOf(const Solid& solid);
 
 /// Reads the mesh called `name`: its numbers, in its own unit, and its content. Throws InputError
-/// as body::readMesh() does, and if it encloses no volume.
+/// as meshes::readMesh() does, and if it encloses no volume.
 MeshFile readMeshFile(const std::string& name, std::string_view bytes);
 /// Gives `mesh` the content of its file. Throws InputError likewise, and if the file has other
 /// numbers.

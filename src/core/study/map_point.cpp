@@ -65,7 +65,7 @@ void changeMoments(const Values& values, MotionSettings& motion) {
   }
   const Eigen::Matrix3d& map = old.bodyFromPrincipal;
   const Eigen::Matrix3d tensor = map * moments.asDiagonal() * map.transpose();
-  motion.inertia = rigid::checkedInertia((tensor + tensor.transpose()) / 2);
+  takeInertia(motion, (tensor + tensor.transpose()) / 2);
 }
 
 }  // namespace

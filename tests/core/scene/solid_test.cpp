@@ -2,7 +2,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "body/mesh_texts.h"
+#include "meshes/mesh_texts.h"
 #include "scene/solid_numbers.h"
 
 namespace rotatebook::scene {
@@ -71,7 +71,7 @@ TEST(Solid, TheMassReplacesTheDensity) {
 TEST(Solid, AMeshHasItsNumbersInItsUnit) {
   const body::TriangleMesh mesh = placed(box({200, 300, 100}, 1, {7, 8, 9})).surface;
   Solid solid;
-  solid.mesh = readMeshFile("box.obj", body::testing::objOf(mesh));
+  solid.mesh = readMeshFile("box.obj", meshes::testing::objOf(mesh));
   solid.mesh.unit = 1e-3;
   solid.density = 500;
   const auto of = numbersOf(solid);

@@ -9,8 +9,8 @@
 #include "base/document/problems.h"
 #include "base/elementary.h"
 #include "base/text.h"
-#include "body/mesh_readers.h"
 #include "body/shape.h"
+#include "meshes/mesh_readers.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/limits.h"
@@ -141,7 +141,7 @@ MeshFile meshFrom(const ValueReader& value) {
                    {"size", vectorInto(mesh.size)},
                    {"moments", vectorInto(diagonal)},
                    {"products", vectorInto(others)}});
-  const bool isWhole = body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
+  const bool isWhole = meshes::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
   if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();
   for (int i = 0; i < 3; ++i) {

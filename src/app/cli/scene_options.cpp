@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 #include <utility>
+#include <variant>
 
 #include <fmt/core.h>
 
@@ -135,6 +136,22 @@ void nameAsWritten(scene::Scene& scene, const std::vector<Shorthand>& shorthands
   }
 }
 
+/// Returns whether a text with `overrides` has a single motion, and not the section that
+/// `assignment` sets. False, too, for one that can't be read: reading it says why.
+bool isUnstated(const std::string& assignment, const std::string& text,
+                std::span<const std::string> overrides) {
+  try {
+    document::TomlNode tree = document::parseToml(text, "");
+    document::applyOverrides(tree, overrides);
+    const auto& table = std::get<document::TomlNode::Table>(tree.value);
+    return std::ranges::none_of(
+        std::set<std::string>{assignment.substr(0, assignment.find('=')), "panel", "grid"},
+        [&](const std::string& section) { return find(table, section) != nullptr; });
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// Returns the names of a scene's outputs without endings: its own, and those of its panels'
 /// tables.
 std::set<std::string> stemsOf(const scene::Scene& scene) {
@@ -202,9 +219,16 @@ void SceneOptions::addChecksum(CLI::App& command) {
       ->allow_extra_args(false);
 }
 
-scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
+scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands,
+                                const std::optional<Shorthand>& unstated) const {
+  if (path != system::kStandardInput) store::requireScene(path);
+  const std::string text = store::readSceneText(path);
+  if (unstated && grid.empty()) {
+    const std::vector<std::string> all = assignments(shorthands);
+    if (isUnstated(unstated->assignment, text, all)) shorthands.push_back(*unstated);
+  }
   scene::Scene read = applied(std::move(shorthands), [&](std::span<const std::string> all) {
-    return store::readScene(path, all, allowOutside);
+    return store::readScene(path, text, all, allowOutside);
   });
   if (checksums.empty() || std::ranges::count(checksums, store::sceneChecksum(read)) > 0)
     return read;
@@ -217,15 +241,19 @@ scene::Scene SceneOptions::parse(std::string_view text, const std::string& name)
       {}, [&](std::span<const std::string> all) { return scene::parseScene(text, name, all); });
 }
 
+std::vector<std::string> SceneOptions::assignments(const std::vector<Shorthand>& after) const {
+  std::vector<std::string> all = overrides;
+  for (const Shorthand& shorthand : after) all.push_back(shorthand.assignment);
+  return all;
+}
+
 scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Reader& reader) const {
   if (!size.empty()) shorthands.push_back({"--size " + size, sizeOverride(size)});
   if (!grid.empty()) {
     for (Shorthand& shorthand : gridShorthands(grid)) shorthands.push_back(std::move(shorthand));
   }
-  std::vector<std::string> all = overrides;
-  for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
-    scene::Scene read = reader(all);
+    scene::Scene read = reader(assignments(shorthands));
     nameAsWritten(read, shorthands);
     return read;
   } catch (const InputError& error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,13 +40,17 @@ struct SceneOptions {
   std::vector<std::string> words() const;
   /// Adds --scene-checksum.
   void addChecksum(CLI::App& command);
-  /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
-  scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
+  /// Reads a scene with these options applied, then `shorthands`. A scene of a single motion that
+  /// doesn't state the section of `unstated`, "study={}", gets it. Throws InputError.
+  scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {},
+                    const std::optional<Shorthand>& unstated = {}) const;
   /// Reads a scene likewise from text, without the files that it names; it is called `name`.
   scene::Scene parse(std::string_view text, const std::string& name) const;
 
  private:
   using Reader = std::function<scene::Scene(std::span<const std::string> overrides)>;
+  /// Returns the overrides, then those of `after`.
+  std::vector<std::string> assignments(const std::vector<Shorthand>& after) const;
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 

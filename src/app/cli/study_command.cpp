@@ -203,16 +203,11 @@ std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
 /// Reads a scene; one without a study gets that of the orders of all its integrators.
 scene::Scene readStudied(const std::string& path, const StudyArguments& arguments) {
   arguments.sceneOptions.refuseSize("plots have a size of their own: leave it out");
-  std::vector<Shorthand> shorthands = shorthandsOf(arguments);
-  scene::Scene scene = arguments.sceneOptions.read(path, shorthands);
+  scene::Scene scene = arguments.sceneOptions.read(path, shorthandsOf(arguments),
+                                                   Shorthand{"study " + path, "study={}"});
   if (scene.study) return scene;
-  if (scene.hasPanels()) {
-    throw InputError(
-        scene::locationOf(scene, "panel") +
-        ": a study needs a single motion, but this scene has several, panels or a grid");
-  }
-  shorthands.push_back({"study " + path, "study={}"});
-  return arguments.sceneOptions.read(path, shorthands);
+  throw InputError(scene::locationOf(scene, "panel") +
+                   ": a study needs a single motion, but this scene has several, panels or a grid");
 }
 
 std::vector<StudiedScene> readTasks(const StudyArguments& arguments) {

@@ -69,19 +69,6 @@ std::string readSceneText(const fs::path& path) {
   }
 }
 
-namespace {
-
-scene::Scene parsedScene(const std::string& text, const fs::path& path,
-                         std::span<const std::string> overrides, bool allowOutside) {
-  const scene::ReadNamedFile readNamedFile = readerOf(path.parent_path(), allowOutside);
-  scene::Scene scene = scene::parseScene(text, path, overrides, readNamedFile);
-  scene.allowOutside = allowOutside;
-  scene::readMeshFiles(scene, readNamedFile);
-  return scene;
-}
-
-}  // namespace
-
 void requireScene(const fs::path& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) document::failAt(path.string(), "a folder, not a scene");
@@ -96,8 +83,17 @@ void requireScene(const fs::path& path) {
 scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
                        bool allowOutside) {
   if (path != system::kStandardInput) requireScene(path);
-  return parsedScene(readSceneText(path), system::nameOfInput(path.string()), overrides,
-                     allowOutside);
+  return readScene(path, readSceneText(path), overrides, allowOutside);
+}
+
+scene::Scene readScene(const fs::path& path, const std::string& text,
+                       std::span<const std::string> overrides, bool allowOutside) {
+  const scene::ReadNamedFile readNamedFile = readerOf(path.parent_path(), allowOutside);
+  scene::Scene scene =
+      scene::parseScene(text, system::nameOfInput(path.string()), overrides, readNamedFile);
+  scene.allowOutside = allowOutside;
+  scene::readMeshFiles(scene, readNamedFile);
+  return scene;
 }
 
 }  // namespace rotatebook::store

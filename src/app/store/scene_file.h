@@ -16,6 +16,10 @@ namespace rotatebook::store {
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {}, bool allowOutside = false);
 
+/// Returns the same of the file's text, which was read.
+scene::Scene readScene(const std::filesystem::path& path, const std::string& text,
+                       std::span<const std::string> overrides, bool allowOutside);
+
 /// Throws InputError unless there is a file at `path` that a scene may be read from; for a missing
 /// one, the message suggests the nearest existing name.
 void requireScene(const std::filesystem::path& path);

@@ -289,14 +289,14 @@ TEST_F(CommandLine, KnowsTheStandardInput) {
            {{"page", "-"}, "SCENE"},
            {{"submit", "render", "-", "--plan", "list"}, "SCENE"},
            {{"status", "-"}, "DIR"},
-           {{"list", "-"}, "DIR"},
            {{"assemble", "-", "-o", "x.mp4"}, "DIR"},
            {{"diff", "-", "a.png"}, "A"},
            {{"diff", "a.png", "-"}, "B"}}) {
     expectRefused(words, "rotatebook: " + name + refusal + "Run 'rotatebook " + words.front() +
                              " --help' for more information.\n");
   }
-  for (const std::string command : {"simulate", "info", "judge", "check", "export", "still"}) {
+  for (const std::string command :
+       {"simulate", "info", "judge", "check", "export", "still", "study"}) {
     const ChildResult result = runWords(command + " - < tiny.toml");
     EXPECT_EQ(result.status, 0) << command << result.error;
     EXPECT_THAT(result.output, HasSubstr("stdin")) << command;

@@ -166,8 +166,8 @@ int runMapTask(MapTask& task, const pipeline::MapOptions& options, std::ostream&
   if (!made.isWhole) return reportInterrupt(task, tiles(made.finished), task.files.tiles, out);
   if (made.found > 0) reportKept(tiles(made.found), out);
   if (options.part) {
-    out << fmt::format("  part {} of {} is done: {} tile{}", options.part->number,
-                       options.part->count, made.tiles, made.tiles == 1 ? "" : "s")
+    out << fmt::format("  part {} of {} is done: {}", options.part->number, options.part->count,
+                       countText(static_cast<std::int64_t>(made.tiles), "tile"))
         << std::endl;
     return kDone;
   }

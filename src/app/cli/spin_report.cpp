@@ -95,8 +95,7 @@ std::string eulerText(const SpinNumbers& numbers) {
                                         text(numbers.duration));
   if (!euler.substeps)
     return fmt::format("needs more than {} substeps, shorter than {}", euler.tried, keeps);
-  return fmt::format("needs {} substep{}, {}", *euler.substeps, *euler.substeps == 1 ? "" : "s",
-                     keeps);
+  return fmt::format("needs {}, {}", countText(*euler.substeps, "substep"), keeps);
 }
 
 /// A line of the report.

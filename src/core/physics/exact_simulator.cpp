@@ -8,7 +8,7 @@ ExactSimulator::ExactSimulator(const MotionSettings& settings)
     : rotation_(exactRotation(settings)) {}
 
 BodyState ExactSimulator::state() const {
-  const NudgedRotation::Moment moment = rotation_.at(clock_.time());
+  const NudgedRotation::Moment moment = rotation_.at(time());
   BodyState result;
   result.worldFromBody = moment.worldFromBody;
   result.angularVelocity = moment.angularVelocity;

@@ -19,13 +19,13 @@ RecordedSimulator::RecordedSimulator(const MotionSettings& settings)
 }
 
 BodyState RecordedSimulator::state() const {
-  const double time = clock_.time();
-  if (time > motion_->duration() + slack_) {
+  const double now = time();
+  if (now > motion_->duration() + slack_) {
     throw InputError("the recording ends at " + roundedText(motion_->duration(), 6) +
-                     " s, but the motion goes on to " + roundedText(time, 6) +
+                     " s, but the motion goes on to " + roundedText(now, 6) +
                      " s; make it shorter");
   }
-  const recording::RecordedMoment moment = motion_->at(time);
+  const recording::RecordedMoment moment = motion_->at(now);
   const Eigen::Vector3d momentum = inertia_.angularMomentum(moment.angularVelocity);
   BodyState result;
   result.worldFromBody = rigid::unnormalisedMatrix(moment.attitude);

@@ -6,27 +6,18 @@
 #include <Eigen/Core>
 
 #include "physics/motion_settings.h"
-#include "physics/simulator.h"
-#include "physics/stepless_clock.h"
+#include "physics/stepless_simulator.h"
 #include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
 /// A simulator without steps: it takes the attitude and the spin from a recording, and the momentum
 /// and the energy from the spin and the inertia of `settings`.
-class RecordedSimulator final : public Simulator {
+class RecordedSimulator final : public SteplessSimulator {
  public:
   /// Throws InputError if the recording hasn't been read.
   explicit RecordedSimulator(const MotionSettings& settings);
 
-  void advance(double interval, int /*steps*/) override { clock_.advance(interval); }
-  void advancePart(double part) override { clock_.advance(part); }
-  bool jumpTo(double time) override {
-    clock_.set(time);
-    return true;
-  }
-  /// Does nothing: what happened to the body is in its recording.
-  void nudge(const Nudge& /*nudge*/) override {}
   std::unique_ptr<Simulator> copy() const override {
     return std::make_unique<RecordedSimulator>(*this);
   }
@@ -38,7 +29,6 @@ class RecordedSimulator final : public Simulator {
   std::shared_ptr<const recording::RecordedMotion> motion_;
   rigid::PrincipalAxes inertia_;
   double slack_;  // [s]
-  SteplessClock clock_;
 };
 
 }  // namespace rotatebook::physics

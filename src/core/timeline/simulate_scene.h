@@ -37,7 +37,6 @@ class SceneSimulation {
   const physics::Trajectory& trajectory(std::size_t motion) const {
     return simulations_[motion].trajectory();
   }
-  std::size_t motionCount() const { return simulations_.size(); }
   /// Returns the clip's motion, as far as it is simulated.
   ClipMotion motion() const;
 

@@ -59,7 +59,6 @@ using ManyParticleState = BasicParticleState<ManySprings>;
 /// A function that takes a step of `h` [s].
 template <typename Springs>
 using BasicParticleStep = void (*)(BasicParticleState<Springs>& state, double h);
-using ParticleStep = BasicParticleStep<SpringNetwork>;
 
 /// An integrator of the particles: its step() takes a step of `h` [s] of any state.
 template <typename Method>

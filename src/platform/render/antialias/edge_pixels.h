@@ -30,7 +30,7 @@ class EdgePixels {
   /// Calls each(x, number) for the set's pixels in row `y` from `left` to below `right`, all within
   /// the picture.
   template <typename Each>
-  void forEach(int y, int left, int right, const Each& each) const {
+  [[gnu::always_inline]] void forEach(int y, int left, int right, const Each& each) const {
     if (left >= right) return;
     const std::size_t row = static_cast<std::size_t>(y) * wordsPerRow_;
     for (int word = left / kBits; word <= (right - 1) / kBits; ++word) {

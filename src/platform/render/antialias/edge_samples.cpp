@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -16,29 +17,22 @@ using Eigen::Vector3f;
 
 constexpr int kSamples = EdgeSamples::kSamples;
 
+/// A value of each sample of a pixel.
+using Samples = EdgeSamples::Samples;
+
 /// Sample positions relative to the pixel's middle, one in each of 16 columns and rows. [pixels]
-constexpr std::array<std::array<float, 2>, kSamples> kOffsets = [] {
+struct Offsets {
+  Samples x, y;
+};
+constexpr Offsets kOffsets = [] {
   constexpr std::array<int, kSamples> kRows{5, 9, 13, 1, 10, 6, 2, 14, 3, 15, 7, 11, 0, 12, 8, 4};
-  std::array<std::array<float, 2>, kSamples> offsets{};
+  Offsets offsets{};
   for (std::size_t i = 0; i < kSamples; ++i) {
-    offsets[i] = {(static_cast<float>(i) + 0.5F) / kSamples - 0.5F,
-                  (static_cast<float>(kRows[i]) + 0.5F) / kSamples - 0.5F};
+    offsets.x[i] = (static_cast<float>(i) + 0.5F) / kSamples - 0.5F;
+    offsets.y[i] = (static_cast<float>(kRows[i]) + 0.5F) / kSamples - 0.5F;
   }
   return offsets;
 }();
-
-using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
-
-/// Returns kOffsets along one axis, packed in fours.
-constexpr std::array<Four, kSamples / 4> offsetsAlong(std::size_t axis) {
-  std::array<Four, kSamples / 4> all{};
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i] = Four{kOffsets[4 * i][axis], kOffsets[4 * i + 1][axis], kOffsets[4 * i + 2][axis],
-                  kOffsets[4 * i + 3][axis]};
-  }
-  return all;
-}
-constexpr auto kOffsetsX = offsetsAlong(0), kOffsetsY = offsetsAlong(1);
 
 /// A linear function of a position in the picture.
 struct Plane {
@@ -47,6 +41,12 @@ struct Plane {
   float at(float px, float py) const { return x * px + y * py + constant; }
   /// The largest change from a pixel's middle to its border.
   float reach() const { return 0.5F * (std::abs(x) + std::abs(y)); }
+  /// Returns by how much it differs at the samples from its value in the pixel's middle.
+  Samples differences() const {
+    Samples all;
+    for (std::size_t i = 0; i < kSamples; ++i) all[i] = x * kOffsets.x[i] + y * kOffsets.y[i];
+    return all;
+  }
 };
 
 /// Returns the edge function of the line from `a` to `b`: 0 on it, positive within a triangle of
@@ -202,6 +202,79 @@ class PixelMixer {
   const image::Image& background_;
 };
 
+/// A triangle that is rasterised within a part of the picture.
+struct Rasterised {
+  Coverage planes;
+  Eigen::Array2f low, high;  // The corners of the part. [pixels]
+  float surface;
+};
+
+/// Depth-tests the samples of the edge pixels that a triangle can cover, row by row, as many
+/// samples at once as a `Vector` holds. `depths`, `surfaces`: by pixel number.
+template <typename Vector>
+[[gnu::always_inline]] inline void rasteriseBy(const Rasterised& triangle, const EdgePixels& pixels,
+                                               Samples* depths, Samples* surfaces) {
+  constexpr std::size_t kAtOnce = sizeof(Vector) / sizeof(float);
+  const auto& [first, second, third] = triangle.planes.edges;
+  const Plane& depthPlane = triangle.planes.depth;
+  const Samples firstDifferences = first.differences(), secondDifferences = second.differences();
+  const Samples thirdDifferences = third.differences();
+  const Samples depthDifferences = depthPlane.differences();
+  const Vector surface = Vector{} + triangle.surface;
+  const RowSpans spans(triangle.planes.edges, triangle.low.x(), triangle.high.x());
+  const auto end = triangle.high.y();
+  for (int y = static_cast<int>(triangle.low.y()); static_cast<float>(y) < end; ++y) {
+    const float middleY = static_cast<float>(y) + 0.5F;
+    const auto [left, right] = spans.at(middleY);
+    pixels.forEach(
+        y, left, right, [&](int x, std::size_t number) __attribute__((always_inline)) {
+          // Evaluate the planes in the pixel's middle
+          const float middleX = static_cast<float>(x) + 0.5F;
+          const float atFirst = first.at(middleX, middleY), atSecond = second.at(middleX, middleY);
+          const float atThird = third.at(middleX, middleY);
+          const float middleDepth = depthPlane.at(middleX, middleY);
+
+          // Depth-test the samples within all edges
+          for (std::size_t i = 0; i < kSamples; i += kAtOnce) {
+            Vector toFirst, toSecond, toThird, depth, nearest, shown;
+            std::memcpy(&toFirst, &firstDifferences[i], sizeof(Vector));
+            std::memcpy(&toSecond, &secondDifferences[i], sizeof(Vector));
+            std::memcpy(&toThird, &thirdDifferences[i], sizeof(Vector));
+            std::memcpy(&depth, &depthDifferences[i], sizeof(Vector));
+            std::memcpy(&nearest, &depths[number][i], sizeof(Vector));
+            std::memcpy(&shown, &surfaces[number][i], sizeof(Vector));
+            depth += middleDepth;
+            const auto visible = (toFirst + atFirst >= 0) & (toSecond + atSecond >= 0) &
+                                 (toThird + atThird >= 0) & (depth < nearest);
+            nearest = visible ? depth : nearest;
+            shown = visible ? surface : shown;
+            std::memcpy(&depths[number][i], &nearest, sizeof(Vector));
+            std::memcpy(&surfaces[number][i], &shown, sizeof(Vector));
+          }
+        });
+  }
+}
+
+using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+
+void rasteriseByBase(const Rasterised& triangle, const EdgePixels& pixels, Samples* depths,
+                     Samples* surfaces) {
+  rasteriseBy<Four>(triangle, pixels, depths, surfaces);
+}
+
+#ifdef __x86_64__
+using Eight [[gnu::vector_size(8 * sizeof(float))]] = float;
+
+[[gnu::target("avx2")]] void rasteriseByAvx2(const Rasterised& triangle, const EdgePixels& pixels,
+                                             Samples* depths, Samples* surfaces) {
+  rasteriseBy<Eight>(triangle, pixels, depths, surfaces);
+}
+
+const auto rasteriseAll = __builtin_cpu_supports("avx2") ? &rasteriseByAvx2 : &rasteriseByBase;
+#else
+constexpr auto rasteriseAll = &rasteriseByBase;
+#endif
+
 }  // namespace
 
 void EdgeSamples::rasterise(const EdgePixels& pixels, const ScreenTriangle& triangle) {
@@ -215,52 +288,14 @@ void EdgeSamples::rasterise(const EdgePixels& pixels, const ScreenTriangle& tria
   const Eigen::Array2f low = a.cwiseMin(b).cwiseMin(c).head<2>().array().max(0.0F);
   const Eigen::Array2f high = a.cwiseMax(b).cwiseMax(c).head<2>().array().min(size);
   if ((low >= high).any()) return;
-
-  // Compute how much each plane differs at the samples from its value in the pixel's middle
-  const auto& [first, second, third] = coverage->edges;
-  const auto differences = [](const Plane& plane) {
-    Samples all;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      all[i] = plane.x * kOffsetsX[i] + plane.y * kOffsetsY[i];
-    }
-    return all;
-  };
-  const Samples firstDifferences = differences(first), secondDifferences = differences(second);
-  const Samples thirdDifferences = differences(third);
-  const Samples depthDifferences = differences(coverage->depth);
-
-  // Visit the edge pixels that the triangle can cover, row by row
-  const RowSpans spans(coverage->edges, low.x(), high.x());
-  const Four surface = Four{} + triangle.surfaceId;
-  for (int y = static_cast<int>(low.y()); static_cast<float>(y) < high.y(); ++y) {
-    const float middleY = static_cast<float>(y) + 0.5F;
-    const auto [left, right] = spans.at(middleY);
-    pixels.forEach(y, left, right, [&](int x, std::size_t number) {
-      // Evaluate the planes in the pixel's middle
-      const float middleX = static_cast<float>(x) + 0.5F;
-      const float atFirst = first.at(middleX, middleY), atSecond = second.at(middleX, middleY);
-      const float atThird = third.at(middleX, middleY);
-      const float middleDepth = coverage->depth.at(middleX, middleY);
-
-      // Depth-test the samples within all edges
-      Samples &depths = depths_[number], &surfaces = surfaces_[number];
-      for (std::size_t i = 0; i < depths.size(); ++i) {
-        const Four depth = depthDifferences[i] + middleDepth;
-        const auto visible = (firstDifferences[i] + atFirst >= 0) &
-                             (secondDifferences[i] + atSecond >= 0) &
-                             (thirdDifferences[i] + atThird >= 0) & (depth < depths[i]);
-        depths[i] = visible ? depth : depths[i];
-        surfaces[i] = visible ? surface : surfaces[i];
-      }
-    });
-  }
+  rasteriseAll({*coverage, low, high, triangle.surfaceId}, pixels, depths_.data(),
+               surfaces_.data());
 }
 
 bool EdgeSamples::isUniform(const Samples& surfaces) {
-  const Four first = Four{} + surfaces[0][0];
-  const auto same = (surfaces[0] == first) & (surfaces[1] == first) & (surfaces[2] == first) &
-                    (surfaces[3] == first);
-  return (same[0] & same[1] & same[2] & same[3]) != 0;
+  bool same = true;
+  for (const float surface : surfaces) same &= surface == surfaces[0];
+  return same;
 }
 
 void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
@@ -268,7 +303,7 @@ void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriang
                           const image::Image& background, image::Image& picture) {
   // Find the nearest surface at every sample of the edge pixels
   Samples farthest;
-  farthest.fill(Four{} + std::numeric_limits<float>::max());
+  farthest.fill(std::numeric_limits<float>::max());
   depths_.assign(pixels.count(), farthest);
   surfaces_.assign(pixels.count(), Samples{});
   for (const ScreenTriangle& triangle : triangles) rasterise(pixels, triangle);
@@ -278,15 +313,13 @@ void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriang
     pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {
       // Leave a pixel that shows one surface and was drawn so
       if (isUniform(surfaces_[number])) {
-        const int surface = static_cast<int>(surfaces_[number][0][0]);
+        const int surface = static_cast<int>(surfaces_[number][0]);
         if (mixer.isResolved(x, y, surface)) return;
       }
 
       // Mix the colours of its surfaces by their numbers of samples
       SurfaceCounts samples;
-      for (const Four& four : surfaces_[number]) {
-        for (int i = 0; i < 4; ++i) samples.add(static_cast<int>(four[i]));
-      }
+      for (const float surface : surfaces_[number]) samples.add(static_cast<int>(surface));
       mixer.mix(x, y, samples, picture.row(y) + 4 * static_cast<std::ptrdiff_t>(x));
     });
   }

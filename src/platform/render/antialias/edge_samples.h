@@ -28,6 +28,7 @@ struct ScreenTriangle {
 class EdgeSamples {
  public:
   static constexpr int kSamples = 16;  ///< Per pixel.
+  using Samples = std::array<float, kSamples>;
 
   /// `alike`: of the body's surfaces.
   explicit EdgeSamples(const AlikeSurfaces& alike) : alike_(alike) {}
@@ -40,10 +41,6 @@ class EdgeSamples {
                image::Image& picture);
 
  private:
-  // Four values at once take one instruction.
-  using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
-  using Samples = std::array<Four, kSamples / 4>;
-
   void rasterise(const EdgePixels& pixels, const ScreenTriangle& triangle);
   /// Returns whether all samples of a pixel show one surface.
   static bool isUniform(const Samples& surfaces);

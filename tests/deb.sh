@@ -46,9 +46,11 @@ make_machine
 connect
 cp "$package" "$folder/root/"
 on_machine "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && $line"
-on_machine "rotatebook doctor -o /tmp | tail -n 1 | tee /dev/stderr | grep -q '^Ready to render'"
+on_machine "rotatebook doctor -o /tmp | tail -n 1 | tee -a /dev/stderr | grep -q '^Ready to render'"
 on_machine "rotatebook render /usr/share/rotatebook/scenes/starter.toml -o clips --quiet --no-png"
 on_machine "rotatebook verify clips/starter.mp4"
+# The live book is in the package if it was made before.
+on_machine "test ! -e /usr/share/rotatebook/play.html || { timeout -s INT 10 rotatebook watch /usr/share/rotatebook/scenes/starter.toml --live -o starter.png; test -s starter.live.html; }"
 on_machine "test -s /usr/share/bash-completion/completions/rotatebook && zgrep -q '^.SH COMMANDS' /usr/share/man/man1/rotatebook.1.gz"
 on_machine "apt-get purge -q -y rotatebook >/dev/null && test ! -e /usr/share/rotatebook"
 if [ "$package" = "$root/build/deb/${package##*/}" ]; then

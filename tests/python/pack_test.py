@@ -76,7 +76,9 @@ def simulate(step, inertia, start, times):
 
 class Pack(unittest.TestCase):
     def setUp(self):
-        subprocess.run([rotatebook.program(), "judge", "--pack", "pack"], check=True)
+        ended = subprocess.run([rotatebook.program(), "judge", "--pack", "pack"], check=True, text=True,
+                               stdout=subprocess.PIPE)
+        self.assertEqual(ended.stdout, "wrote pack/pack.json and a table for each of its motions\n")
         self.pack = json.loads(pathlib.Path("pack/pack.json").read_text())
 
     def check(self, step):
@@ -110,7 +112,9 @@ class Pack(unittest.TestCase):
 
     def test_takes_the_place_of_a_pack_alone(self):
         before = pathlib.Path("pack/pack.json").read_bytes()
-        subprocess.run([rotatebook.program(), "judge", "--pack", "pack"], check=True)
+        ended = subprocess.run([rotatebook.program(), "judge", "--pack", "pack"], check=True, text=True,
+                               stdout=subprocess.PIPE)
+        self.assertEqual(ended.stdout, "wrote pack/pack.json and a table for each of its motions\n")
         self.assertEqual(pathlib.Path("pack/pack.json").read_bytes(), before)
         pathlib.Path("mine").mkdir(exist_ok=True)
         pathlib.Path("mine/book.csv").write_text("my notes\n")

@@ -160,6 +160,9 @@ int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
   if (!arguments.pack.empty()) {
     writePack(arguments.pack);
+    std::cout << fmt::format(
+        "wrote {} and a table for each of its motions\n",
+        oneLine((std::filesystem::path(arguments.pack) / "pack.json").string()));
     return statusOf(true);
   }
   if (!arguments.junit.empty()) {

@@ -113,7 +113,8 @@ void blendRowOverRgb(const std::uint8_t* over, std::uint8_t* under, int count) {
 /// Returns the first pixel from `from` on that isn't transparent, testing two at a time, as most
 /// are.
 int nextCovered(const std::uint8_t* row, int from, int end) {
-  constexpr std::uint64_t kAlphas = 0xff000000ff000000;
+  constexpr auto kAlphas =
+      std::bit_cast<std::uint64_t>(std::array<std::uint8_t, 8>{0, 0, 0, 0xff, 0, 0, 0, 0xff});
   for (std::uint64_t two = 0; from + 2 <= end; from += 2) {
     std::memcpy(&two, row + 4 * static_cast<std::ptrdiff_t>(from), sizeof two);
     if ((two & kAlphas) != 0) break;

@@ -215,7 +215,9 @@ template <typename Vector>
 [[gnu::always_inline]] inline void rasteriseBy(const Rasterised& triangle, const EdgePixels& pixels,
                                                Samples* depths, Samples* surfaces) {
   constexpr std::size_t kAtOnce = sizeof(Vector) / sizeof(float);
-  const auto& [first, second, third] = triangle.planes.edges;
+  // No structured bindings: clang before 16 captures none in lambdas.
+  const std::array<Plane, 3>& edges = triangle.planes.edges;
+  const Plane &first = edges[0], &second = edges[1], &third = edges[2];
   const Plane& depthPlane = triangle.planes.depth;
   const Samples firstDifferences = first.differences(), secondDifferences = second.differences();
   const Samples thirdDifferences = third.differences();

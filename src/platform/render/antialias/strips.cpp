@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include <Eigen/Geometry>
+
 namespace rotatebook::render {
 namespace {
 

@@ -122,6 +122,8 @@ def _still_has(file: pathlib.Path, text: str) -> bool:
 @contextlib.contextmanager
 def _file_of(scene: Union[Scene, Path]) -> Iterator[tuple[str, dict[str, str]]]:
     """Gives a file of the scene for as long as the program needs it, and what messages call it."""
+    if not isinstance(scene, (Scene, str, os.PathLike)):
+        raise TypeError(f"a scene is a Scene or a file's name, not a {type(scene).__name__}; Scene.from_dict() takes tables")
     if not isinstance(scene, Scene):
         yield os.fspath(scene), {}
     elif scene.file is not None and _still_has(scene.file, scene.text):

@@ -39,6 +39,9 @@ class Scene:
         """Reads the TOML `text`. The files that it names are looked for in `folder`, and nowhere else."""
         if name != os.path.basename(name) or not name:
             raise ValueError(f"a scene's name, which its files get, has no slash and isn't empty, unlike {name!r}")
+        if not isinstance(text, str) or text.endswith(".toml") and "\n" not in text:
+            given = text if isinstance(text, str) else f"a {type(text).__name__}"
+            raise TypeError(f"Scene() takes TOML, not {given}; Scene.from_file() reads a file, Scene.from_dict() takes tables")
         self.text = text
         self.folder = pathlib.Path(folder or ".")
         self.name = name
@@ -60,6 +63,8 @@ class Scene:
     @classmethod
     def from_dict(cls, tree: Mapping[str, Any], *, folder: Optional[Path] = None, name: str = "scene") -> Scene:
         """Takes a scene as the tables of its TOML."""
+        if not isinstance(tree, Mapping):
+            raise TypeError(f"a scene's tables are a dict, not a {type(tree).__name__}")
         return cls(Context(f"{name}.toml").text_of(tree), folder=folder, name=name)
 
     def to_dict(self) -> dict[str, Any]:

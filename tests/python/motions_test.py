@@ -136,6 +136,16 @@ class Scenes(unittest.TestCase):
         with self.assertRaisesRegex(SceneError, "^scene.toml: title is None"):
             Scene.from_dict({"title": None})
 
+    def test_are_texts_and_tables_are_dicts(self):
+        for text, given in (("scenes/starter.toml", "scenes/starter.toml"), (pathlib.Path("a.toml"), "a PosixPath"),
+                            ({}, "a dict")):
+            with self.assertRaisesRegex(TypeError, rf"^Scene\(\) takes TOML, not {given}; Scene\.from_file\(\) reads"):
+                Scene(text)
+        Scene(THROW.rstrip() + "  # as in a.toml")
+        for tree, given in (("abc", "str"), ([1], "list")):
+            with self.assertRaisesRegex(TypeError, f"^a scene's tables are a dict, not a {given}"):
+                Scene.from_dict(tree)
+
     def test_read_nothing_outside_their_folders(self):
         pathlib.Path("inside").mkdir(exist_ok=True)
         pathlib.Path("secret.csv").write_text("t,wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,2\n1,0,0,2\n2,0,0,2\n")

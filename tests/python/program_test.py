@@ -81,6 +81,8 @@ class Clips(unittest.TestCase):
         self.assertEqual((refused.exception.line, refused.exception.column), (2, 1))
         with self.assertRaisesRegex(ValueError, r"^render\(\) makes a file"):
             rotatebook.render(SMALL, "-")
+        with self.assertRaisesRegex(TypeError, r"^a scene is a Scene or a file's name, not a dict; Scene\.from_dict"):
+            rotatebook.render({"title": "A"})
         with self.assertRaises(ProgramError) as refused:
             rotatebook.verify("bad.toml")
         self.assertEqual(refused.exception.status, 2)

@@ -138,7 +138,7 @@ bool printsForPrograms(const CLI::App& command) {
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
   for (const char* one : {"info", "judge", "toss", "help", "status"}) {
-    if (name == one) return true;
+    if (name == one) return name != "judge" || command.count("--pack") == 0;
   }
   return printsForPrograms(command);
 }

@@ -49,6 +49,7 @@ TEST_F(Quiet, ReportsArentPrinted) {
   expectSilent({"assemble", "out/tiny", "-o", "x.mp4"});
   expectSilent({"page", "tiny.toml", "--no-thumbnails"});
   expectSilent({"check", "."});
+  expectSilent({"judge", "--pack", "pack"});
 }
 
 TEST_F(Quiet, ResultsArePrinted) {

@@ -103,6 +103,7 @@ write_shared_files() {
   mkdir -p "$folder/share/rotatebook" "$folder/etc/fonts"
   echo 'By this file the program knows that its libraries lie beside it.' >"$folder/share/rotatebook/portable"
   cp -r "$root/scenes" "$folder/share/rotatebook/"
+  "$program" check --schema >"$folder/share/rotatebook/scene.schema.json"
   # Where make play has made it, with parts of Emscripten.
   if [ -f "$root/build/play/play.html" ]; then
     install -m 644 "$root/build/play/play.html" "$folder/share/rotatebook/"

@@ -49,6 +49,7 @@ on_machine "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && $line"
 on_machine "rotatebook doctor -o /tmp | tail -n 1 | tee -a /dev/stderr | grep -q '^Ready to render'"
 on_machine "rotatebook render /usr/share/rotatebook/scenes/starter.toml -o clips --quiet --no-png"
 on_machine "rotatebook verify clips/starter.mp4"
+on_machine "rotatebook new my.toml >/dev/null && head -n 1 my.toml | grep -x '#:schema file:///usr/share/rotatebook/scene.schema.json' && test -s /usr/share/rotatebook/scene.schema.json"
 # The live book is in the package if it was made before.
 on_machine "test ! -e /usr/share/rotatebook/play.html || { timeout -s INT 10 rotatebook watch /usr/share/rotatebook/scenes/starter.toml --live -o starter.png; test -s starter.live.html; }"
 on_machine "test -s /usr/share/bash-completion/completions/rotatebook && zgrep -q '^.SH COMMANDS' /usr/share/man/man1/rotatebook.1.gz"

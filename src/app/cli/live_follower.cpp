@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/input_guard.h"
+#include "cli/installed_file.h"
 #include "embedded/cli.h"
 #include "picture/named_file.h"
 #include "scene/scene_text.h"
@@ -63,11 +64,10 @@ Json filesOf(const scene::Scene& scene, const fs::path& folder) {
 }  // namespace
 
 fs::path installedBook() {
+  if (const auto installed = installedFile("play.html")) return *installed;
+  const fs::path made = programPrefix() / "play/play.html";  // Beside build/release.
   std::error_code error;
-  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
-  for (const char* place : {"share/rotatebook/play.html", "play/play.html"}) {
-    if (fs::exists(folder / place, error)) return folder / place;
-  }
+  if (fs::exists(made, error)) return made;
   throw InputError(
       "--live: no live book is installed with the program; name play.html, which make play makes: "
       "--live PLAY.html");

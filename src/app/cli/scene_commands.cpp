@@ -1,12 +1,14 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include <fmt/core.h>
+#include <glib.h>
 
 #include "base/document/toml_text.h"
 #include "base/error.h"
@@ -16,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/installed_file.h"
 #include "cli/motion_report.h"
 #include "cli/option_checks.h"
 #include "cli/scene_options.h"
@@ -196,10 +199,20 @@ std::string titleFrom(std::string name) {
   return name;
 }
 
+/// Returns the line by which editors find the schema that is installed with the program; empty if
+/// none is.
+std::string schemaLine() {
+  const std::optional<fs::path> schema = installedFile("scene.schema.json");
+  if (!schema) return "";
+  const std::unique_ptr<char, decltype(&g_free)> uri(
+      g_filename_to_uri(schema->c_str(), nullptr, nullptr), &g_free);
+  return uri ? fmt::format("#:schema {}\n", uri.get()) : "";
+}
+
 /// Returns the text of scenes/starter.toml with another title.
 std::string starterWith(const std::string& title) {
   constexpr std::string_view kTitle = "title = ";
-  std::string text(starterScene());
+  std::string text = schemaLine() + std::string(starterScene());
   const std::size_t begin = text.find(kTitle) + kTitle.size();
   text.replace(begin, text.find('\n', begin) - begin, document::tomlString(title));
   return text;

@@ -45,6 +45,19 @@ TEST_F(New, WritesTheStarterWithATitleOfItsOwn) {
   EXPECT_EQ(sceneText(made), sceneText(starter));
 }
 
+TEST_F(New, NamesTheSchemaThatIsInstalled) {
+  fs::create_directories(folder() / "my prefix/bin");
+  const fs::path program = folder() / "my prefix/bin/rotatebook";
+  fs::copy_file(ROTATEBOOK_PROGRAM, program);
+  write("my prefix/share/rotatebook/scene.schema.json", run({"check", "--schema"}).output);
+  ASSERT_EQ(runChild(program.string(), {"new", "my.toml"}, {.folder = folder()}).status, 0);
+  EXPECT_THAT(
+      read("my.toml"),
+      AllOf(StartsWith("#:schema file:///"),
+            HasSubstr("/my%20prefix/share/rotatebook/scene.schema.json\n# A first scene.")));
+  EXPECT_EQ(run({"check", "my.toml"}).status, 0);
+}
+
 TEST_F(New, WritesASceneThatIsCheckedAndRendered) {
   ASSERT_EQ(run({"new", "a \"b\" ü.toml"}).status, 0);
   const ChildResult check = run({"check", "a \"b\" ü.toml"});

@@ -3,7 +3,6 @@
 // motion from the same start.
 #include <cstdlib>
 #include <fstream>
-#include <limits>
 #include <vector>
 
 #include "physics/simulate.h"
@@ -12,12 +11,11 @@ int main() {
   using namespace rotatebook;
   physics::MotionSettings book;
   book.initial.value = {5, 0.05, 0};  // rad/s
-  std::vector<double> times(301);     // five seconds [s]
-  for (std::size_t frame = 0; frame < times.size(); ++frame)
-    times[frame] = static_cast<double>(frame) / 60;
+  std::vector<double> times;          // five seconds [s]
+  for (int frame = 0; frame <= 300; ++frame) times.push_back(frame / 60.0);
 
   std::ofstream table("recorded.csv");
-  table.precision(std::numeric_limits<double>::max_digits10);
+  table.precision(17);  // so that all bits are read again
   table << "t (s),qw,qx,qy,qz,wx (rad/s),wy (rad/s),wz (rad/s)\n";
   for (const physics::Sample& sample : physics::simulate(book, times).samples) {
     const auto& [q, w] = std::pair(sample.attitude, sample.angularVelocity);

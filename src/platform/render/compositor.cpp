@@ -31,41 +31,59 @@ void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image
   }
 }
 
-/// Returns whether the surface changes from one of `count` pixels to the next or to the one above.
-bool changes(const std::uint8_t* here, const std::uint8_t* above, int count) {
+/// Returns whether the surface changes from one of `count` pixels to the next or to the one below.
+bool changes(const std::uint8_t* here, const std::uint8_t* below, int count) {
   std::uint32_t changed = 0;
-  for (int i = 0; i < count; ++i, here += 4, above += 4) {
+  for (int i = 0; i < count; ++i, here += 4, below += 4) {
     std::array<std::uint32_t, 3> pixels{};
     std::memcpy(pixels.data(), here, 8);
-    std::memcpy(&pixels[2], above, 4);
+    std::memcpy(&pixels[2], below, 4);
     changed |= (pixels[0] ^ pixels[1]) | (pixels[0] ^ pixels[2]);
   }
   return (changed & kAlpha) != 0;
 }
 
-/// Adds the pixels of a band between which the material changes: where one surface goes through
-/// another, neither has an edge.
-void addMeetings(const image::Image& drawn, const geometry::PixelRect& band,
-                 const AlikeSurfaces& alike, EdgePixels& pixels) {
+/// A part of a row of pixels, and the row that it is compared with.
+struct RowPart {
+  int y, next, left, right;
+};
+
+/// Adds the pixels of a part between which the material changes, along it and to the next row:
+/// where one surface goes through another, neither has an edge.
+void addMeetings(const image::Image& drawn, const RowPart& part, const AlikeSurfaces& alike,
+                 EdgePixels& pixels) {
   constexpr int kAtOnce = 16;  // As a rule none of them changes.
   const auto meet = [&alike](std::uint8_t one, std::uint8_t other) {
     return one != 0 && other != 0 && alike[one] != alike[other];
   };
-  const int last = band.x + band.width - 1;
-  for (int y = band.y; y < band.y + band.height; ++y) {
-    const int next = std::min(y + 1, band.y + band.height - 1);  // Beyond are older pictures.
-    for (int x = band.x; x < last; x += kAtOnce) {
-      const int count = std::min(kAtOnce, last - x);
-      const std::uint8_t* here = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
-      const std::uint8_t* above = drawn.row(next) + 4 * static_cast<std::ptrdiff_t>(x);
-      if (!changes(here, above, count)) continue;
-      for (int i = 0; i < count; ++i, here += 4, above += 4) {
-        const bool across = meet(here[3], here[7]), up = meet(here[3], above[3]);
-        if (across || up) pixels.add(x + i, y);
-        if (across) pixels.add(x + i + 1, y);
-        if (up) pixels.add(x + i, y + 1);
-      }
+  const int last = part.right - 1;
+  for (int x = part.left; x < last; x += kAtOnce) {
+    const int count = std::min(kAtOnce, last - x);
+    const std::uint8_t* here = drawn.row(part.y) + 4 * static_cast<std::ptrdiff_t>(x);
+    const std::uint8_t* below = drawn.row(part.next) + 4 * static_cast<std::ptrdiff_t>(x);
+    if (!changes(here, below, count)) continue;
+    for (int i = 0; i < count; ++i, here += 4, below += 4) {
+      const bool across = meet(here[3], here[7]), down = meet(here[3], below[3]);
+      if (across || down) pixels.add(x + i, part.y);
+      if (across) pixels.add(x + i + 1, part.y);
+      if (down) pixels.add(x + i, part.next);
     }
+  }
+}
+
+/// Adds all such pixels of a body. Below a band only the next one's pixels are this picture's.
+void addMeetings(const DrawnBody& body, const AlikeSurfaces& alike, EdgePixels& pixels) {
+  const auto& bands = body.bands;
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    const auto& [x, y, width, height] = bands[i];
+    const int last = y + height - 1;
+    for (int row = y; row < last; ++row)
+      addMeetings(body.pixels, {row, row + 1, x, x + width}, alike, pixels);
+    addMeetings(body.pixels, {last, last, x, x + width}, alike, pixels);
+    if (i + 1 == bands.size() || bands[i + 1].y != last + 1) continue;
+    const geometry::PixelRect& next = bands[i + 1];
+    const int left = std::max(x, next.x), right = std::min(x + width, next.x + next.width);
+    addMeetings(body.pixels, {last, last + 1, left, right}, alike, pixels);
   }
 }
 
@@ -131,8 +149,7 @@ void Compositor::composeOver(const image::Image& background, const DrawnBody& bo
   triangles_.clear();
   edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
               triangles_);
-  for (const geometry::PixelRect& band : body.bands)
-    addMeetings(body.pixels, band, alike_, edgePixels_);
+  addMeetings(body, alike_, edgePixels_);
   edgePixels_.number();
   samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background, picture);
 }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
+
+#include "image/alpha_mask.h"
 
 namespace rotatebook::image {
 namespace {
@@ -81,14 +82,13 @@ void blendOverClear(const std::uint8_t* over, std::uint8_t* under) {
 /// Returns whether all alphas of a row are 255. Pixels as integers: the compiler vectorises the
 /// loop.
 bool isOpaque(const std::uint8_t* row, int count) {
-  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
-  std::uint32_t common = kAlpha;
+  std::uint32_t common = kAlphaMask;
   for (int i = 0; i < count; ++i, row += 4) {
     std::uint32_t pixel = 0;
     std::memcpy(&pixel, row, 4);
     common &= pixel;
   }
-  return common == kAlpha;
+  return common == kAlphaMask;
 }
 
 void blendRowOverRgba(const std::uint8_t* over, std::uint8_t* under, int count) {
@@ -113,8 +113,7 @@ void blendRowOverRgb(const std::uint8_t* over, std::uint8_t* under, int count) {
 /// Returns the first pixel from `from` on that isn't transparent, testing two at a time, as most
 /// are.
 int nextCovered(const std::uint8_t* row, int from, int end) {
-  constexpr auto kAlphas =
-      std::bit_cast<std::uint64_t>(std::array<std::uint8_t, 8>{0, 0, 0, 0xff, 0, 0, 0, 0xff});
+  constexpr std::uint64_t kAlphas = std::uint64_t{kAlphaMask} << 32 | kAlphaMask;
   for (std::uint64_t two = 0; from + 2 <= end; from += 2) {
     std::memcpy(&two, row + 4 * static_cast<std::ptrdiff_t>(from), sizeof two);
     if ((two & kAlphas) != 0) break;

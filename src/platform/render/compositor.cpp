@@ -2,18 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <utility>
 
+#include "image/alpha_mask.h"
 #include "image/downsample.h"
 
 namespace rotatebook::render {
 namespace {
-
-constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
 
 /// Copies the pixels that were drawn, as opaque, within a band.
 void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image::Image& picture) {
@@ -25,7 +23,8 @@ void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image
       std::uint32_t over = 0, under = 0;
       std::memcpy(&over, from, 4);
       std::memcpy(&under, to, 4);
-      const std::uint32_t pixel = (over & kAlpha) != 0 ? over | kAlpha : under;
+      const std::uint32_t pixel =
+          (over & image::kAlphaMask) != 0 ? over | image::kAlphaMask : under;
       std::memcpy(to, &pixel, 4);
     }
   }
@@ -40,7 +39,7 @@ bool changes(const std::uint8_t* here, const std::uint8_t* below, int count) {
     std::memcpy(&pixels[2], below, 4);
     changed |= (pixels[0] ^ pixels[1]) | (pixels[0] ^ pixels[2]);
   }
-  return (changed & kAlpha) != 0;
+  return (changed & image::kAlphaMask) != 0;
 }
 
 /// A part of a row of pixels, and the row that it is compared with.

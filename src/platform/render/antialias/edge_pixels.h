@@ -28,7 +28,7 @@ class EdgePixels {
   std::size_t count() const { return count_; }
 
   /// Calls each(x, number) for the set's pixels in row `y` from `left` to below `right`, all within
-  /// the picture.
+  /// the picture. Inlined, so that it is compiled for the processor that its caller is for.
   template <typename Each>
   [[gnu::always_inline]] void forEach(int y, int left, int right, const Each& each) const {
     if (left >= right) return;

@@ -17,7 +17,7 @@ export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
 	@echo '                         and $(OUT)/index.html, a page that shows them, with the live book once it is made;'
-	@echo '                         FRAMES=no: without the frames of the clips as PNGs'
+	@echo '                         with PNG frames of the figures; FRAMES=all: of every clip, FRAMES=no: of none'
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
@@ -117,7 +117,8 @@ portable: program
 # The page has the live book if `make play` has made it.
 LIVE = $(wildcard build/play/live_book.html)
 figures: program
-	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite$(if $(filter no,$(FRAMES)), --no-png)
+	$(PROGRAM) render scenes/figures/*.toml -o $(OUT) --resume --overwrite$(if $(filter no,$(FRAMES)), --no-png)
+	$(PROGRAM) render scenes/comparisons/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite$(if $(filter all,$(FRAMES)),, --no-png)
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png

@@ -14,11 +14,11 @@ const float kBrighter = 31.0 / 255.0;  // In the middle.
 const float kPatches = 7.0;   // Of a wall that turns: patches in a radian.
 const float kContrast = 0.3;  // Of their light.
 
-// Returns an ordered-dither offset for a column, as a share of one 8-bit step, -1/2 to 1/2. Without
-// it, so slow a gradient shows bands. It varies by column alone, which costs little in a PNG, whose
-// rows are stored as differences.
-float ditherOffset(int column) {
-  int rank = ((column & 1) << 2) | (column & 2) | ((column & 4) >> 2);
+// Returns an ordered-dither offset for a row, as a share of one 8-bit step, -1/2 to 1/2. Without
+// it, so slow a gradient shows bands. It varies by row alone, which costs little in a PNG, whose
+// pixels are stored as differences to the left.
+float ditherOffset(int row) {
+  int rank = ((row & 1) << 2) | (row & 2) | ((row & 4) >> 2);
   return (float(rank) + 0.5) / 8.0 - 0.5;
 }
 
@@ -50,5 +50,5 @@ void main() {
   vec3 wall = kEdge + kBrighter * (1.0 - smoothstep(0.0, 1.35, distanceFromMiddle));
   if (skyFromPicture[3][3] != 0.0)
     wall *= 1.0 + kContrast * plaster(mat3(skyFromPicture) * vec3(position, 1.0));
-  colour = vec4(wall + ditherOffset(int(gl_FragCoord.x) / supersample) / 255.0, 1.0);
+  colour = vec4(wall + ditherOffset(int(gl_FragCoord.y) / supersample) / 255.0, 1.0);
 }

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "image/alpha_mask.h"
+#include "image/wide_vectors.h"
 
 namespace rotatebook::image {
 namespace {
@@ -60,7 +61,7 @@ void blendByBase(const std::uint8_t* over, std::uint8_t* under, int count) {
   blendOpaqueRow(over, under, count);
 }
 
-const auto blendRowOverOpaque = __builtin_cpu_supports("avx2") ? &blendByAvx2 : &blendByBase;
+const auto blendRowOverOpaque = usesAvx2() ? &blendByAvx2 : &blendByBase;
 #else
 constexpr auto blendRowOverOpaque = &blendByBase;
 #endif

@@ -41,19 +41,14 @@ void PixelPacker::append(const ImageView& view, bool alpha, std::string& stream)
   appendBands(stream);
 }
 
-// A band is unchanged if its rows and the row above are.
 void PixelPacker::packBands(const ImageView& view, bool alpha) {
   prepareFor(view, alpha);
   const bool known = std::exchange(lastIsWhole_, false);
-  bool aboveChanged = false;
   Band* band = bands_.data();
   for (int top = 0; top < view.height; top += kBandRows, ++band) {
     const int bottom = std::min(top + kBandRows, view.height);
-    bool changed = aboveChanged || !known;
-    for (int y = top; y < bottom; ++y) {
-      aboveChanged = keepRow(view, y);
-      changed = changed || aboveChanged;
-    }
+    bool changed = !known;
+    for (int y = top; y < bottom; ++y) changed = keepRow(view, y) || changed;
     if (!changed) continue;
     band->size = filterRows(view, alpha, top, bottom);
     band->checksum = isal_adler32(kEmptyChecksum, filtered_.data(), band->size);

@@ -14,8 +14,8 @@ inline constexpr std::size_t kFilterOverrun = 8;
 /// Returns the size of a filtered row. [bytes]
 std::size_t filteredRowSize(const ImageView& view, bool alpha);
 
-/// Writes row `y` as a PNG stores it: the number of the filter Up, then the pixels, RGB or if
-/// `alpha` RGBA, minus those of the row above. Returns where the next row goes.
+/// Writes row `y` as a PNG stores it: the number of the filter Sub, then the pixels, RGB or if
+/// `alpha` RGBA, minus those to their left. Returns where the next row goes.
 std::uint8_t* filterRow(const ImageView& view, int y, bool alpha, std::uint8_t* out);
 
 }  // namespace rotatebook::image

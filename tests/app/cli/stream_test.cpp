@@ -60,6 +60,15 @@ double offBy(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>
   return sum / static_cast<double>(a.size());
 }
 
+TEST_F(StreamOfPictures, HasTheSameBytesWithoutWideVectors) {
+  ChildSettings settings;
+  const std::vector<std::string> scene{"--format", "raw", "--set",
+                                       "overlay.show=[\"axes\",\"clock\"]"};
+  const std::string widest = streamed(scene, settings);
+  settings.environment = {{"ROTATEBOOK_NO_AVX2", "1"}};
+  EXPECT_TRUE(streamed(scene, settings) == widest);
+}
+
 TEST_F(StreamOfPictures, HasTheColoursOfTheMp4AsY4m) {
   const ChildResult result = run({"render", "tiny.toml", "-o", "-"});
   ASSERT_EQ(result.status, 0) << result.error;

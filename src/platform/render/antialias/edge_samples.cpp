@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "image/linear_accumulator.h"
+#include "image/wide_vectors.h"
 
 namespace rotatebook::render {
 namespace {
@@ -272,7 +273,7 @@ using Eight [[gnu::vector_size(8 * sizeof(float))]] = float;
   rasteriseBy<Eight>(triangle, pixels, depths, surfaces);
 }
 
-const auto rasteriseAll = __builtin_cpu_supports("avx2") ? &rasteriseByAvx2 : &rasteriseByBase;
+const auto rasteriseAll = image::usesAvx2() ? &rasteriseByAvx2 : &rasteriseByBase;
 #else
 constexpr auto rasteriseAll = &rasteriseByBase;
 #endif

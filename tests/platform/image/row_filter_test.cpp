@@ -9,8 +9,8 @@
 namespace rotatebook::image {
 namespace {
 
-/// Four columns and two rows, which differ, as red, green and blue do: the first column is stored as
-/// it is, the next two at a time, the last by itself.
+/// Four columns and two rows, which differ, as red, green and blue do: the first column is stored
+/// as it is, the next two at a time, the last by itself.
 Image smallPicture(PixelFormat format) {
   constexpr std::uint8_t kColumns[] = {200, 3, 6, 16};
   Image picture(4, 2, format);

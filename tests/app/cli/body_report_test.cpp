@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "cli/info_command.h"
+#include "cli/info_report.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -22,7 +22,7 @@ BodyNumbers body() {
 
 std::string printed(const BodyNumbers& numbers) {
   std::ostringstream output;
-  reportBody(numbers, output);
+  printRows(rowsOn(numbers), output);
   return output.str();
 }
 
@@ -57,7 +57,7 @@ TEST(BodyReport, KnowsABodyThatNeverTumbles) {
 TEST(BodyReport, HasTheSameAsJson) {
   BodyNumbers numbers = body();
   numbers.properties.inertia = Eigen::Vector3d(4, 2, 3).asDiagonal();
-  EXPECT_EQ(jsonText(bodyJson(numbers)),
+  EXPECT_EQ(jsonText(jsonOf(rowsOn(numbers))),
             R"({"volume_m3":0.5,"mass_kg":2.0,"centre_m":[1.0,1e-20,-3.0],)"
             R"("inertia_kg_m2":[[4.0,0.0,0.0],[0.0,2.0,0.0],[0.0,0.0,3.0]],)"
             R"("moments_kg_m2":[2.0,3.0,4.0],)"
@@ -65,7 +65,7 @@ TEST(BodyReport, HasTheSameAsJson) {
             R"("triangles":12,"shells":1,"crossing":null,"overlap":null,"notes":[],)"
             R"("closed":true})");
   numbers.surface.reset();
-  EXPECT_THAT(jsonText(bodyJson(numbers)),
+  EXPECT_THAT(jsonText(jsonOf(rowsOn(numbers))),
               HasSubstr(R"("triangles":null,"shells":null,"crossing":null)"));
 }
 
@@ -82,7 +82,7 @@ TEST(BodyReport, NamesTrianglesThatCross) {
   numbers.surface->crossing = {4, 11};
   EXPECT_THAT(printed(numbers),
               HasSubstr("one closed surface\n  note        triangles 5 and 12 cross each other"));
-  EXPECT_THAT(jsonText(bodyJson(numbers)), HasSubstr(R"("crossing":[5,12],)"));
+  EXPECT_THAT(jsonText(jsonOf(rowsOn(numbers))), HasSubstr(R"("crossing":[5,12],)"));
 }
 
 TEST(BodyReport, HasItsNotes) {
@@ -94,7 +94,8 @@ TEST(BodyReport, HasItsNotes) {
       HasSubstr("one closed surface\n  note        a\n  note        \"b\"\n"
                 "  note        triangles 5 and 12 meet at an edge around which something is "
                 "enclosed twice"));
-  EXPECT_THAT(jsonText(bodyJson(numbers)), HasSubstr(R"("overlap":[5,12],"notes":["a","\"b\""],)"));
+  EXPECT_THAT(jsonText(jsonOf(rowsOn(numbers))),
+              HasSubstr(R"("overlap":[5,12],"notes":["a","\"b\""],)"));
 }
 
 }  // namespace

@@ -1,11 +1,10 @@
-#include "cli/spin_report.h"
-
 #include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "cli/info_report.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::cli {
@@ -24,12 +23,12 @@ scene::Scene sceneWith(const std::string& settings) {
 std::string textOf(const std::string& settings) {
   const scene::Scene scene = sceneWith(settings);
   std::ostringstream out;
-  reportSpin(spinNumbersOf(scene).front(), out);
+  printRows(rowsOn(spinNumbersOf(scene).front()), out);
   return out.str();
 }
 
-std::string jsonOf(const std::string& settings) {
-  return jsonText(spinJson(spinNumbersOf(sceneWith(settings)).front()));
+std::string jsonTextOf(const std::string& settings) {
+  return jsonText(jsonOf(rowsOn(spinNumbersOf(sceneWith(settings)).front())));
 }
 
 std::vector<std::string> remarksWith(const std::string& settings) {
@@ -110,13 +109,13 @@ TEST(SpinReport, SaysHowManyStepsArentEnough) {
   SpinNumbers numbers = spinNumbersOf(sceneWith(kTumbling)).front();
   numbers.euler = timeline::EulerSteps{.substeps = {}, .tried = 64, .step = 1e-4};
   std::ostringstream out;
-  reportSpin(numbers, out);
+  printRows(rowsOn(numbers), out);
   EXPECT_THAT(out.str(), HasSubstr("needs more than 64 substeps, shorter than 0.0001 s each"));
 }
 
 TEST(SpinReport, OfJsonHasAllMembers) {
   EXPECT_THAT(
-      jsonOf(kTumbling),
+      jsonTextOf(kTumbling),
       AllOf(
           HasSubstr(
               R"({"label":null,"model":"quaternion","moments_kg_m2":[2.0,3.0,4.0],"axes":[[0.0,1.0,0.0],)"),
@@ -124,7 +123,7 @@ TEST(SpinReport, OfJsonHasAllMembers) {
           HasSubstr(R"("steady":false,"regime":1,"growth_per_s":2.1213)"),
           HasSubstr(R"("oscillation_rad_per_s":null,"first_flip_s":1.766)"),
           HasSubstr(R"("euler":{"substeps":16,"tried":16,"h_s":)"), HasSubstr(R"("remarks":[]})")));
-  EXPECT_THAT(jsonOf("initial.angular_velocity = [6, 0, 0]"),
+  EXPECT_THAT(jsonTextOf("initial.angular_velocity = [6, 0, 0]"),
               AllOf(HasSubstr(R"("steady":true,"regime":0,)"),
                     HasSubstr(R"("period_s":null,"turn_rad":null,"dynamic_turn_rad":null,)"),
                     HasSubstr(R"("margin":0.0,"to_separatrix_rad":0.0,"euler":null,)")));

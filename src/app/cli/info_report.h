@@ -1,17 +1,22 @@
-// Reports on the numbers of a scene's spin, as text and as JSON. Inside the room only.
+// The numbers of a body and its spin, as a command's result. Inside the room only.
 #pragma once
 
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
-#include "base/json.h"
+#include "cli/result_rows.h"
+#include "scene/body_numbers.h"
 #include "scene/scene.h"
 #include "timeline/euler_steps.h"
 #include "timeline/spin.h"
 
 namespace rotatebook::cli {
+
+/// Returns size, mass, centre, inertia about it, the principal moments, smallest first, with a unit
+/// vector for each, right-handed, the stability of a spin about the middle axis, and what is known
+/// of the surface: of the book's there are nulls. Triangles count from 1.
+ResultRows rowsOn(const scene::BodyNumbers& numbers);
 
 /// The numbers of one motion's spin.
 struct SpinNumbers {
@@ -28,10 +33,7 @@ std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene);
 /// spin, of equal moments, on the separatrix, with nudges, of particles.
 std::vector<std::string> remarksOn(const SpinNumbers& numbers);
 
-/// Prints the numbers and the remarks.
-void reportSpin(const SpinNumbers& numbers, std::ostream& out);
-
-/// Returns the same as a JSON object. Unknown values are null.
-Json spinJson(const SpinNumbers& numbers);
+/// Returns the numbers, null where this spin has none, and the remarks.
+ResultRows rowsOn(const SpinNumbers& numbers);
 
 }  // namespace rotatebook::cli

@@ -148,7 +148,8 @@ bool isAllowed(const Include& include) {
   if (!include.quoted) {
     if (isStandard(header)) return !core || kStandardInTheCore.contains(header);
     if (isOperatingSystem(header)) return !core;
-    if (header == "fmt/core.h") return room.storey == "platform" || room.storey == "app";
+    if (header == "fmt/core.h" || header == "fmt/ostream.h")
+      return room.storey == "platform" || room.storey == "app";
     return startsWithOneOf(header, room.thirdParty);
   }
   const std::string owner = header.substr(0, header.find('/'));

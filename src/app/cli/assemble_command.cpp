@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/frame_rate.h"
@@ -62,16 +62,17 @@ int assembleFrames(const AssembleArguments& arguments) {
         arguments.whole);
   }
   if (made.unlisted > 0) {
-    std::cerr << fmt::format(
+    fmt::print(
+        std::cerr,
         "note: {} of them without a checksum in {}: whole PNGs, but maybe not as they were drawn\n",
         countText(made.unlisted, "frame"), store::kFrameChecksumsName);
   }
   for (const pipeline::LostColours& lost : made.lost) {
-    std::cerr << fmt::format("note: {} {} {}\n", countText(lost.frames, "frame"),
-                             lost.frames == 1 ? "has" : "have", lost.text);
+    fmt::print(std::cerr, "note: {} {} {}\n", countText(lost.frames, "frame"),
+               lost.frames == 1 ? "has" : "have", lost.text);
   }
-  std::cout << fmt::format("wrote {} to {}{}\n", countText(made.frames.count(), "frame"),
-                           oneLine(arguments.output), made.isPart() ? partText(made) : "");
+  fmt::print(std::cout, "wrote {} to {}{}\n", countText(made.frames.count(), "frame"),
+             oneLine(arguments.output), made.isPart() ? partText(made) : "");
   return kDone;
 }
 

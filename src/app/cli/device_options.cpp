@@ -9,7 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -38,7 +38,7 @@ picture::DeviceChoice parseDevice(const std::string& text) {
 /// Prints `line` to the standard error, in one piece, over a progress bar that may be there.
 void printAside(const std::string& line) {
   const std::string erase = terminalColumns(STDERR_FILENO) > 0 ? "\r\x1b[K" : "";
-  std::cerr << erase + "rotatebook: " + line + "\n" << std::flush;
+  fmt::print(std::cerr, "{}rotatebook: {}\n", erase, line);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -67,24 +67,24 @@ void report(const std::string& name, const std::string& output, const std::strin
   const std::string error =
       file.errorM ? fmt::format("{} mm off at a corner", roundedText(1000 * *file.errorM, 3))
                   : fmt::format("{} degrees off", roundedText(file.errorDeg, 2));
-  std::cout << fmt::format("{}: wrote {}, {} KB: {}{} keys in {} s, at most {} between them\n",
-                           name, oneLine(output), (file.bytes.size() + 999) / 1000,
-                           label.empty() ? "" : oneLine(label) + ", ", file.keys,
-                           roundedText(file.seconds, 4), error);
+  fmt::print(std::cout, "{}: wrote {}, {} KB: {}{} keys in {} s, at most {} between them\n", name,
+             oneLine(output), (file.bytes.size() + 999) / 1000,
+             label.empty() ? "" : oneLine(label) + ", ", file.keys, roundedText(file.seconds, 4),
+             error);
 }
 
 void reportAsJson(const std::string& name, const std::string& output, const std::string& label,
                   const interchange::MotionFile& file) {
-  std::cout << jsonText({{"name", name},
-                         {"file", output},
-                         {"bytes", file.bytes.size()},
-                         {"panel", orNull(label)},
-                         {"keys", file.keys},
-                         {"seconds", file.seconds},
-                         {"error_deg", file.errorDeg},
-                         {"error_m", orNull(file.errorM)},
-                         {"notes", file.notes}})
-            << '\n';
+  fmt::print(std::cout, "{}\n",
+             jsonText({{"name", name},
+                       {"file", output},
+                       {"bytes", file.bytes.size()},
+                       {"panel", orNull(label)},
+                       {"keys", file.keys},
+                       {"seconds", file.seconds},
+                       {"error_deg", file.errorDeg},
+                       {"error_m", orNull(file.errorM)},
+                       {"notes", file.notes}}));
 }
 
 int exportScene(const ExportArguments& arguments) {
@@ -100,8 +100,8 @@ int exportScene(const ExportArguments& arguments) {
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   system::writeFileAtomically(output, file.bytes);
   (arguments.json ? reportAsJson : report)(scene.name, output, scene.motions[panel].label, file);
-  for (const std::string& note : file.notes) std::cerr << "note: " << note << '\n';
-  if (replaces) std::cerr << "note: replaced " << oneLine(output) << '\n';
+  for (const std::string& note : file.notes) fmt::print(std::cerr, "note: {}\n", note);
+  if (replaces) fmt::print(std::cerr, "note: replaced {}\n", oneLine(output));
   return kDone;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -200,7 +200,7 @@ int printScripts(const farm::StoredPlan& stored, const farm::PlanFiles& files,
   for (const farm::Task& task : farm::missingTasks(stored.plan, files))
     missing.push_back(task.number);
   const auto print = [&](const fs::path& path, const std::string& text) {
-    std::cout << fmt::format("==> {} <==\n{}\n", oneLine(path.string()), text);
+    fmt::print(std::cout, "==> {} <==\n{}\n", oneLine(path.string()), text);
   };
   const auto script = [&](const std::vector<std::int64_t>& tasks) {
     return jobScript(stored.plan, files, tasks, arguments.job, limits.requeues75);

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -60,9 +60,9 @@ struct Info {
 };
 
 void print(const std::string& head, const std::vector<Info>& infos) {
-  std::cout << oneLine(head) << '\n';
+  fmt::print(std::cout, "{}\n", oneLine(head));
   for (const Info& info : infos) {
-    if (!info.label.empty()) std::cout << info.label << ":\n";
+    if (!info.label.empty()) fmt::print(std::cout, "{}:\n", info.label);
     printRows(rowsOn(info.body), std::cout);
     if (info.spin) printRows(rowsOn(*info.spin), std::cout);
   }
@@ -75,10 +75,9 @@ Json infoJson(const Info& info) {
 }
 
 void printJson(const std::string& name, const std::string& title, const std::vector<Info>& infos) {
-  std::cout << jsonText({{"name", name},
-                         {"title", orNull(title)},
-                         {"motions", arrayOf(infos, infoJson)}})
-            << '\n';
+  fmt::print(
+      std::cout, "{}\n",
+      jsonText({{"name", name}, {"title", orNull(title)}, {"motions", arrayOf(infos, infoJson)}}));
 }
 
 void showScene(const InfoArguments& options) {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -44,7 +44,7 @@ struct JudgeArguments {
 void printNotes(const std::string& name, const recording::RecordedMotion& motion) {
   for (const std::string& note : motion.notes()) {
     if (std::ranges::find(motion.flaws(), note) == motion.flaws().end())
-      std::cerr << fmt::format("note: {}: {}\n", oneLine(name), note);
+      fmt::print(std::cerr, "note: {}: {}\n", oneLine(name), note);
   }
 }
 
@@ -160,9 +160,8 @@ int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
   if (!arguments.pack.empty()) {
     writePack(arguments.pack);
-    std::cout << fmt::format(
-        "wrote {} and a table for each of its motions\n",
-        oneLine((std::filesystem::path(arguments.pack) / "pack.json").string()));
+    fmt::print(std::cout, "wrote {} and a table for each of its motions\n",
+               oneLine((std::filesystem::path(arguments.pack) / "pack.json").string()));
     return statusOf(true);
   }
   if (!arguments.junit.empty()) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -86,7 +86,8 @@ Json json(const pipeline::StageTimes& stages) {
 }  // namespace
 
 void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
-  out << fmt::format(
+  fmt::print(
+      out,
       "{}: {} frames, {}, PNGs and MP4\n"
       "  renderer {}; encoder {}; {}\n"
       "  {:.1f} frames/s, {:.2f} ms a frame, {:.2f} ms of processor time; started in {:.2f} s\n"
@@ -98,10 +99,10 @@ void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::o
       speed.drawing.processor);
   const double sum = speed.stages.processorSum();
   for (const Row& row : rowsOf(speed.stages)) {
-    out << fmt::format("  {:<20} {:9.2f} {:10.2f} {:5.0f} %\n", row.label, row.time.wall,
-                       row.time.processor, 100 * row.time.processor / sum);
+    fmt::print(out, "  {:<20} {:9.2f} {:10.2f} {:5.0f} %\n", row.label, row.time.wall,
+               row.time.processor, 100 * row.time.processor / sum);
   }
-  out << fmt::format("  {:<30} {:10.2f}\n\n", "all", sum);
+  fmt::print(out, "  {:<30} {:10.2f}\n\n", "all", sum);
   out << limitText(speedLimit(speed.stages, speed.cores), speed);
   const auto advice = speedAdvice(scene, speed);
   if (!advice.empty()) out << "  what would help:\n";
@@ -110,21 +111,21 @@ void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::o
 
 void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
   const pipeline::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
-  out << jsonText({{"scene", scene.name},
-                   {"frames", speed.frames},
-                   {"width", scene.clip.width},
-                   {"height", scene.clip.height},
-                   {"cores", speed.cores},
-                   {"renderer", speed.renderer},
-                   {"encoder", speed.encoder},
-                   {"start_up_s", speed.startUp},
-                   {"frames_per_second", speed.framesPerSecond()},
-                   {"whole", json(speed.whole)},
-                   {"drawing", json(speed.drawing)},
-                   {"limit", limit.wall},
-                   {"limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key},
-                   {"stages", json(speed.stages)}})
-      << '\n';
+  fmt::print(out, "{}\n",
+             jsonText({{"scene", scene.name},
+                       {"frames", speed.frames},
+                       {"width", scene.clip.width},
+                       {"height", scene.clip.height},
+                       {"cores", speed.cores},
+                       {"renderer", speed.renderer},
+                       {"encoder", speed.encoder},
+                       {"start_up_s", speed.startUp},
+                       {"frames_per_second", speed.framesPerSecond()},
+                       {"whole", json(speed.whole)},
+                       {"drawing", json(speed.drawing)},
+                       {"limit", limit.wall},
+                       {"limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key},
+                       {"stages", json(speed.stages)}}));
 }
 
 namespace {
@@ -164,7 +165,7 @@ int bench(const BenchArguments& arguments) {
     speed = pipeline::measureSpeed(scene, options);
   }
   if (!speed) {
-    std::cout << scene.name << ": interrupted; nothing was measured" << std::endl;
+    fmt::print(std::cout, "{}: interrupted; nothing was measured\n", scene.name);
     return interruptStatus();
   }
   (arguments.json ? reportSpeedAsJson : reportSpeed)(scene, *speed, std::cout);
@@ -247,8 +248,8 @@ int explain(const CrashArguments& arguments) {
   if (arguments.resumable) adviseResume();
   try {
     if (const auto problem = diagnose::explainCrash(arguments.deviceOptions.parsed())) {
-      std::cerr << "rotatebook: can't draw: " << problem->what << "\n  remedy: " << problem->remedy
-                << crashAdvice();
+      fmt::print(std::cerr, "rotatebook: can't draw: {}\n  remedy: {}{}", problem->what,
+                 problem->remedy, crashAdvice());
       return kMachineFailed;
     }
   } catch (...) {

@@ -31,14 +31,14 @@ std::string optionText(const CLI::Option& option) {
   if (!value.empty()) value = " \\fI" + value + "\\fR";
   const std::string initial = option.get_default_str();
   return fmt::format(".TP\n\\fB{}\\fR{}\n{}{}\n", names, value, escaped(option.get_description()),
-                     initial.empty() ? "" : escaped(" (default: " + initial + ")"));
+                     initial.empty() ? "" : escaped(fmt::format(" (default: {})", initial)));
 }
 
 /// Returns the footer of a help, whose lines are broken already.
 std::string footerText(const CLI::App& app) {
   const std::string text = app.get_footer();
   if (text.empty()) return "";
-  return ".PP\n.nf\n" + escaped(text.substr(text.find_first_not_of('\n'))) + "\n.fi\n";
+  return fmt::format(".PP\n.nf\n{}\n.fi\n", escaped(text.substr(text.find_first_not_of('\n'))));
 }
 
 std::string commandText(const CLI::App& program, const CLI::App& command) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -123,18 +123,17 @@ auto withProgress(const MapTask& task, pipeline::MapOptions options, const char*
 /// Reports what there is of an interrupted map or film; returns the status.
 int reportInterrupt(MapTask& task, const std::string& finished, const std::filesystem::path& folder,
                     std::ostream& out) {
-  out << fmt::format("  interrupted; {} are in {}; go on with --resume", finished, folder.string())
-      << std::endl;
+  fmt::print(out, "  interrupted; {} are in {}; go on with --resume\n", finished, folder.string());
   task.interrupted = true;
   return interruptStatus();
 }
 
 void reportKept(const std::string& found, std::ostream& out) {
-  out << fmt::format("  kept {} of an earlier run\n", found);
+  fmt::print(out, "  kept {} of an earlier run\n", found);
 }
 
 void reportWritten(const MapTask& task, std::ostream& out) {
-  out << "  wrote " << oneLine(listed(task.written)) << std::endl;
+  fmt::print(out, "  wrote {}\n", oneLine(listed(task.written)));
 }
 
 /// Reports the values, the marks and the expectations.
@@ -142,13 +141,13 @@ void reportResult(MapTask& task, const study::MapResult& result, const study::Ma
                   std::ostream& out) {
   task.facts = factsOf(result);
   task.expected = expectedOf(result, *task.scene.map, runs);
-  out << "  " << factsLine(*task.facts) << '\n';
+  fmt::print(out, "  {}\n", factsLine(*task.facts));
   for (const auto& [mark, values] : result.marks) {
-    out << fmt::format("  {} at [{}, {}]: {}\n", mark.label, shortestText(mark.x),
-                       shortestText(mark.y), joinedOf(values, valueText));
+    fmt::print(out, "  {} at [{}, {}]: {}\n", mark.label, shortestText(mark.x),
+               shortestText(mark.y), joinedOf(values, valueText));
   }
   for (const study::ExpectedOfMap& one : task.expected) {
-    out << "  " << reportLine(one.subject(), one.expectation.bounds, one.measured) << '\n';
+    fmt::print(out, "  {}\n", reportLine(one.subject(), one.expectation.bounds, one.measured));
   }
 }
 
@@ -166,9 +165,8 @@ int runMapTask(MapTask& task, const pipeline::MapOptions& options, std::ostream&
   if (!made.isWhole) return reportInterrupt(task, tiles(made.finished), task.files.tiles, out);
   if (made.found > 0) reportKept(tiles(made.found), out);
   if (options.part) {
-    out << fmt::format("  part {} of {} is done: {}", options.part->number, options.part->count,
-                       countText(static_cast<std::int64_t>(made.tiles), "tile"))
-        << std::endl;
+    fmt::print(out, "  part {} of {} is done: {}\n", options.part->number, options.part->count,
+               countText(static_cast<std::int64_t>(made.tiles), "tile"));
     return kDone;
   }
   reportResult(task, made.result, runs, out);
@@ -189,7 +187,7 @@ int runFilmTask(MapTask& task, const pipeline::MapOptions& options, std::ostream
   if (!made.isWhole)
     return reportInterrupt(task, frames(made.finished), task.files.filmFrames, out);
   if (made.wasDone) {
-    out << "  already done: " << oneLine(task.files.film.string()) << std::endl;
+    fmt::print(out, "  already done: {}\n", oneLine(task.files.film.string()));
     return kDone;
   }
   if (made.found > 0) reportKept(frames(made.found), out);
@@ -209,7 +207,7 @@ int makeMaps(const MapArguments& arguments) {
       store::requireWritable(task.outputs);
     }
     return inTurn(tasks, [&](std::size_t i) {
-      out << tasks[i].scene.name << ": " << tasks[i].scene.title << std::endl;
+      fmt::print(out, "{}: {}\n", tasks[i].scene.name, tasks[i].scene.title);
       return (arguments.film ? runFilmTask : runMapTask)(tasks[i], options, out);
     });
   };

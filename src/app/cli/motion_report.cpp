@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -83,10 +83,10 @@ void printNotes(const scene::Scene& scene, const std::vector<std::string>& notes
                 std::ostream& out) {
   constexpr std::size_t kMaxOfGrid = 3;
   const std::size_t shown = scene.grid ? std::min(notes.size(), kMaxOfGrid) : notes.size();
-  for (std::size_t i = 0; i < shown; ++i) out << "note: " + notes[i] + '\n';
+  for (std::size_t i = 0; i < shown; ++i) fmt::print(out, "note: {}\n", notes[i]);
   if (shown == notes.size()) return;
-  out << fmt::format("note: {}: {} more notes on other books of the grid; --json has all\n",
-                     scene.name, notes.size() - shown);
+  fmt::print(out, "note: {}: {} more notes on other books of the grid; --json has all\n",
+             scene.name, notes.size() - shown);
 }
 
 }  // namespace
@@ -119,12 +119,12 @@ void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
   const auto [fewest, most] = std::ranges::minmax(motions, {}, flipsOf);
   const auto diverged = std::ranges::count_if(
       motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
-  out << fmt::format("  {} motions: {} to {}; {} diverged\n", motions.size(), fewest.flips.size(),
-                     countText(std::ssize(most.flips), "flip"),
-                     diverged > 0 ? std::to_string(diverged) : "none");
+  fmt::print(out, "  {} motions: {} to {}; {} diverged\n", motions.size(), fewest.flips.size(),
+             countText(std::ssize(most.flips), "flip"),
+             diverged > 0 ? std::to_string(diverged) : "none");
   for (const MotionSummary& summary : motions) {
     if (summary.expectations.empty()) continue;
-    out << "  " << summary.motion.label << ":\n";
+    fmt::print(out, "  {}:\n", summary.motion.label);
     reportExpectations(summary, out);
   }
 }
@@ -138,9 +138,9 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
   }
   if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
-    if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
-    out << fmt::format("  {}; {}; {}\n", flipsText(summary), energyText(summary),
-                       distanceText(summary));
+    if (!summary.motion.label.empty()) fmt::print(out, "  {}:\n", summary.motion.label);
+    fmt::print(out, "  {}; {}; {}\n", flipsText(summary), energyText(summary),
+               distanceText(summary));
     reportExpectations(summary, out);
   }
 }
@@ -155,11 +155,11 @@ void reportSimulationAsJson(const scene::Scene& scene, const std::vector<Written
   for (const WrittenTable& table : tables) {
     written.push_back({{"path", table.path.string()}, {"rows", table.rows}});
   }
-  out << jsonText({{"name", scene.name},
-                   {"title", scene.title},
-                   {"tables", written},
-                   {"motions", motionsJson(motions)}})
-      << '\n';
+  fmt::print(out, "{}\n",
+             jsonText({{"name", scene.name},
+                       {"title", scene.title},
+                       {"tables", written},
+                       {"motions", motionsJson(motions)}}));
 }
 
 namespace {
@@ -186,12 +186,12 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
 
 void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out) {
   if (summary.divergedAt) {
-    out << fmt::format("  {}the motion diverges at {} s, after {} frames\n",
-                       summary.divergesUnexpectedly ? "not met  no divergence is expected; " : "",
-                       shortestText(std::round(*summary.divergedAt * 1e4) / 1e4), summary.frames);
+    fmt::print(out, "  {}the motion diverges at {} s, after {} frames\n",
+               summary.divergesUnexpectedly ? "not met  no divergence is expected; " : "",
+               shortestText(std::round(*summary.divergedAt * 1e4) / 1e4), summary.frames);
   }
   for (const scene::ExpectationResult& result : summary.expectations) {
-    out << "  " << reportLine(result) << '\n';
+    fmt::print(out, "  {}\n", reportLine(result));
   }
 }
 

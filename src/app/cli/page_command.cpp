@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/clip_limits.h"
 #include "base/error.h"
@@ -160,10 +160,10 @@ std::optional<PackToWrite> packOf(const ReadScenes& shown, const PageArguments& 
 
 void writePack(const PackToWrite& all, const std::string& html) {
   page::writePack(all.figures, html, all.pack, [](const std::string& file) {
-    std::cerr << "packing " << oneLine(file) << '\n';
+    fmt::print(std::cerr, "packing {}\n", oneLine(file));
   });
-  std::cout << fmt::format("wrote {}, {} MB for the web\n", oneLine(all.pack.target.string()),
-                           roundedText(static_cast<double>(sizeOf(all.pack.target)) / 1e6, 3));
+  fmt::print(std::cout, "wrote {}, {} MB for the web\n", oneLine(all.pack.target.string()),
+             roundedText(static_cast<double>(sizeOf(all.pack.target)) / 1e6, 3));
 }
 
 /// Throws InputError if there is a page that isn't of this program.
@@ -188,10 +188,11 @@ int writePage(const PageArguments& arguments) {
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
   system::writeFileAtomically(path, textOf(figures));
   for (const page::Figure& figure : figures) {
-    for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
+    for (const std::string& note : figure.leftOut)
+      fmt::print(std::cerr, "note: {}\n", oneLine(note));
   }
-  std::cout << fmt::format("wrote {}, {}\n", oneLine(path.string()),
-                           countText(std::ssize(figures), "figure"));
+  fmt::print(std::cout, "wrote {}, {}\n", oneLine(path.string()),
+             countText(std::ssize(figures), "figure"));
   if (pack) writePack(*pack, textOf(pack->figures));
   return kDone;
 }

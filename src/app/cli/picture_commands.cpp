@@ -6,7 +6,7 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -73,8 +73,8 @@ void writeOne(const scene::Scene& scene, const StillArguments& arguments,
   const auto [frame, picture] =
       picture::drawStill(scene, arguments.time, arguments.deviceOptions.choice());
   writePicture(output, picture.view(), scene::isTransparent(scene));
-  reportStream(output) << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame,
-                                      oneLine(output));
+  fmt::print(reportStream(output), "{}: wrote frame {} to {}\n", scene.name, frame,
+             oneLine(output));
 }
 
 void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& arguments,
@@ -85,8 +85,8 @@ void writeSheet(const std::vector<scene::Scene>& scenes, const StillArguments& a
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
   writePicture(output, sheet.view(), transparent);
-  reportStream(output) << fmt::format("wrote {}, {}\n", oneLine(output),
-                                      sizeText(sheet.width(), sheet.height()));
+  fmt::print(reportStream(output), "wrote {}, {}\n", oneLine(output),
+             sizeText(sheet.width(), sheet.height()));
 }
 
 int writeStill(const StillArguments& arguments) {
@@ -103,7 +103,7 @@ int writeStill(const StillArguments& arguments) {
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   isSheet ? writeSheet(scenes, arguments, output) : writeOne(scenes.front(), arguments, output);
-  if (replaces) std::cerr << "note: replaced " << oneLine(output) << '\n';
+  if (replaces) fmt::print(std::cerr, "note: replaced {}\n", oneLine(output));
   return kDone;
 }
 
@@ -155,10 +155,10 @@ struct DiffArguments {
 };
 
 void printComparison(const image::Comparison& comparison) {
-  std::cout << fmt::format(
-      "{}: largest difference {} of 255, mean {:.4f}, {} pixels ({:.4f} %) over the bound\n",
-      comparison.same ? "same" : "different", comparison.largest, comparison.mean,
-      comparison.differingPixels, comparison.differingPercent);
+  fmt::print(std::cout,
+             "{}: largest difference {} of 255, mean {:.4f}, {} pixels ({:.4f} %) over the bound\n",
+             comparison.same ? "same" : "different", comparison.largest, comparison.mean,
+             comparison.differingPixels, comparison.differingPercent);
 }
 
 int diff(const DiffArguments& arguments) {

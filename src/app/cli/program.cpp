@@ -155,7 +155,7 @@ class HeldReports {
   ~HeldReports() {
     std::clog.rdbuf(log_);
     if (output_ != nullptr) std::cout.rdbuf(output_);
-    std::cerr << held_.str() << std::flush;
+    std::cerr << held_.str();
   }
 
   /// Forgets what was held.
@@ -252,6 +252,7 @@ int runProgram(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // If the parent process had it ignored, waitpid() couldn't return the status of our children.
   std::signal(SIGCHLD, SIG_DFL);
+  std::cout << std::unitbuf;  // What is printed is there at once, in a pipe, too.
   TerminalText output(std::cout, STDOUT_FILENO), error(std::cerr, STDERR_FILENO),
       log(std::clog, STDERR_FILENO);
   return endStatus(guarded([&] {

@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/text.h"
@@ -37,7 +37,7 @@ double secondsLeft(std::int64_t done, std::int64_t total, double rate) {
 std::string bar(std::int64_t done, std::int64_t total, std::size_t width) {
   const auto filled = static_cast<std::size_t>(static_cast<std::int64_t>(width) * done /
                                                std::max<std::int64_t>(total, 1));
-  return '[' + std::string(filled, '#') + std::string(width - filled, '.') + "] ";
+  return fmt::format("[{}{}] ", std::string(filled, '#'), std::string(width - filled, '.'));
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ std::function<void(std::size_t done, std::size_t total)> ProgressLine::updater()
 }
 
 void ProgressLine::clear() {
-  if (lineOpen_) std::cerr << "\r\x1b[K" << std::flush;
+  if (lineOpen_) std::cerr << "\r\x1b[K";
   lineOpen_ = false;
 }
 
@@ -129,10 +129,10 @@ void ProgressLine::update(std::int64_t done, std::int64_t total) {
     const std::string label = cutTo(label_, columns / 3) + "  ";
     const std::string text =
         progressText(done, total, rate, unit_, columns - std::min(columns, columnsOf(label)));
-    std::cerr << '\r' + label + text + "\x1b[K" << std::flush;
+    fmt::print(std::cerr, "\r{}{}\x1b[K", label, text);
     lineOpen_ = true;
   } else {
-    std::cerr << label_ + "  " + progressText(done, total, rate, unit_) + '\n';
+    fmt::print(std::cerr, "{}  {}\n", label_, progressText(done, total, rate, unit_));
   }
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -93,51 +93,51 @@ void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& o
                  std::ostream& out) {
   const scene::Scene& scene = rendered.scene;
   const pipeline::RenderStart& start = *rendered.start;
-  out << fmt::format("{}: {}\n  {} at {} frames/s, {} s", scene.name, scene.title,
-                     sizeText(scene.clip.width, scene.clip.height), scene.clip.frameRate.text(),
-                     shortestText(scene.clip.duration));
+  fmt::print(out, "{}: {}\n  {} at {} frames/s, {} s", scene.name, scene.title,
+             sizeText(scene.clip.width, scene.clip.height), scene.clip.frameRate.text(),
+             shortestText(scene.clip.duration));
   if (rendered.isDetailed) {
-    out << "; renderer " << start.renderer
-        << (start.encoders.empty() ? "" : "; encoder " + start.encoders)
-        << "\n  threads: 1 draws (a software rasteriser has its own), 1 composes";
+    fmt::print(
+        out, "; renderer {}{}\n  threads: 1 draws (a software rasteriser has its own), 1 composes",
+        start.renderer, start.encoders.empty() ? "" : "; encoder " + start.encoders);
     const int png = start.pngThreads, encoders = encoderThreads(scene, options);
-    if (png > 0) out << fmt::format(", {} {} PNGs", png, png == 1 ? "compresses" : "compress");
-    if (encoders > 0) out << fmt::format(", {} {}", encoders, encoders == 1 ? "encodes" : "encode");
-    out << "; cores: " << system::coreCount();
+    if (png > 0) fmt::print(out, ", {} {} PNGs", png, png == 1 ? "compresses" : "compress");
+    if (encoders > 0) fmt::print(out, ", {} {}", encoders, encoders == 1 ? "encodes" : "encode");
+    fmt::print(out, "; cores: {}", system::coreCount());
   }
-  out << std::endl;
+  out << '\n';
 }
 
 void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& options,
                   std::ostream& out) {
   const std::string& name = rendered.scene.name;
   if (!rendered.result) {
-    out << name << ": interrupted while simulating; nothing was written" << std::endl;
+    fmt::print(out, "{}: interrupted while simulating; nothing was written\n", name);
     return;
   }
   const pipeline::RenderResult& result = *rendered.result;
-  if (result.wasDone) out << name << ": already done" << std::endl;
+  if (result.wasDone) fmt::print(out, "{}: already done\n", name);
   if (options.part && result.framesWritten == 0 && !result.interrupted) {
-    out << name << ": this part has no frames; nothing was written" << std::endl;
+    fmt::print(out, "{}: this part has no frames; nothing was written\n", name);
     return;
   }
   if (result.framesKept > 0) {
-    out << "  kept " << countText(result.framesKept, "frame") << " of an earlier run" << std::endl;
+    fmt::print(out, "  kept {} of an earlier run\n", countText(result.framesKept, "frame"));
   }
   if (result.interrupted && result.framesWritten == 0) {
-    out << "  interrupted before the first frame; nothing was written" << std::endl;
+    out << "  interrupted before the first frame; nothing was written\n";
     return;
   }
-  if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
+  if (!result.wasDone) fmt::print(out, "  wrote {}\n", oneLine(writtenText(result, options)));
   if (!result.interrupted) return reportMotions(rendered.motions, out);
-  out << "  interrupted after " << countText(result.framesWritten, "frame")
-      << (hasPng(options.outputs) ? "; go on with the same command and --resume" : "") << std::endl;
+  fmt::print(out, "  interrupted after {}{}\n", countText(result.framesWritten, "frame"),
+             hasPng(options.outputs) ? "; go on with the same command and --resume" : "");
 }
 
 void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
   if (!rendered.result) return;
   const pipeline::RenderResult& result = *rendered.result;
-  const std::string start = "note: " + rendered.scene.name + ": ";
+  const std::string start = fmt::format("note: {}: ", rendered.scene.name);
   noteOtherSettings(start + "replaced ", result.replaced, out);
   noteOtherSettings(start + "kept ", result.others, out);
   if (!result.remainder.empty()) out << start + result.remainder + '\n';

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/ostream.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/batch.h"
@@ -56,7 +58,7 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
     reportStart(rendered, options, out);
     const std::string warning =
         store::spaceWarning(start.space, options.folder, hasPng(options.outputs));
-    if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
+    if (!warning.empty()) fmt::print(std::cerr, "rotatebook: {}: {}\n", scene.name, warning);
   };
   listener.progress = progress;
   rendered.result = renderClip(scene, motion, options, listener, one.found.textures, summaries);
@@ -175,7 +177,7 @@ class ParallelRenders {
     if (failureReported_ || failed == renders_.end()) return;
     failureReported_ = true;
     line_.clear();
-    std::cerr << nameOf(*failed) << " failed; no more scenes are started" << std::endl;
+    fmt::print(std::cerr, "{} failed; no more scenes are started\n", nameOf(*failed));
   }
 
   /// Prints the reports of finished renders, in the scenes' order, up to the first unfinished one.
@@ -183,8 +185,8 @@ class ParallelRenders {
     for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished;
          ++reported_) {
       line_.clear();
-      out_ << renders_[reported_].text.str() << std::flush;
-      std::cerr << renders_[reported_].notes.str() << std::flush;
+      out_ << renders_[reported_].text.str();
+      std::cerr << renders_[reported_].notes.str();
     }
   }
 
@@ -194,7 +196,7 @@ class ParallelRenders {
     line_.clear();
     for (; reported_ < renders_.size(); ++reported_) reportFinished();
     for (const Render& one : renders_) {
-      if (one.state == State::Waiting) out_ << nameOf(one) << ": not started" << std::endl;
+      if (one.state == State::Waiting) fmt::print(out_, "{}: not started\n", nameOf(one));
     }
   }
 
@@ -233,7 +235,7 @@ int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOp
   for (pipeline::RenderOutput& output : shared.outputs) {
     if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
   }
-  out << atATime << " scenes at a time" << std::endl;
+  fmt::print(out, "{} scenes at a time\n", atATime);
   return ParallelRenders(scenes, shared, out, rendered).run(atATime);
 }
 
@@ -298,15 +300,15 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
   const std::string clip = oneLine(arguments.clip.string());
   const std::string made = oneLine(output.string());
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
-    std::cout << "  " << made << " has exactly the bytes of " << clip << std::endl;
+    fmt::print(std::cout, "  {} has exactly the bytes of {}\n", made, clip);
     return kDone;
   }
-  std::cout << "  " << made << " has OTHER bytes than " << clip << '\n';
+  fmt::print(std::cout, "  {} has OTHER bytes than {}\n", made, clip);
   const store::ClipRecord here = store::parseRecord(video::readClipMetadata(output).comment, output,
                                                     there.record.scene.folder);
   for (const std::string& reason :
        reasons(arguments.clip, there.record.provenance, here.provenance)) {
-    std::cout << "    " << oneLine(reason) << std::endl;
+    fmt::print(std::cout, "    {}\n", oneLine(reason));
   }
   return kUnmet;
 }

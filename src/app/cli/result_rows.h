@@ -1,4 +1,4 @@
-// What a command found, row by row: its text and its JSON follow. Inside the room only.
+// A result as rows, of which the text and the JSON follow. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 #include <glib.h>
 
 #include "base/document/toml_text.h"
@@ -135,8 +135,8 @@ void printList(const std::vector<SceneFile>& files) {
   for (const SceneFile& file : files) width = std::max(width, file.path.string().size());
   for (const SceneFile& file : files) {
     if (!file.scene) continue;
-    std::cout << fmt::format("{:<{}}  {:>4} s  {}\n", oneLine(file.path.string()), width,
-                             shortestText(file.scene->clip.duration), file.scene->title);
+    fmt::print(std::cout, "{:<{}}  {:>4} s  {}\n", oneLine(file.path.string()), width,
+               shortestText(file.scene->clip.duration), file.scene->title);
   }
 }
 
@@ -157,7 +157,8 @@ int checkScenes(const CheckArguments& arguments) {
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(name) + ": ok\n");
   }
   if (isList) printList(files);
-  if (arguments.json) std::cout << jsonText({{"scenes", arrayOf(files, checkJson)}}) << '\n';
+  if (arguments.json)
+    fmt::print(std::cout, "{}\n", jsonText({{"scenes", arrayOf(files, checkJson)}}));
   return statusOfAll(files);
 }
 
@@ -244,9 +245,8 @@ int writeNewScene(const std::string& file) {
   const std::string text = starterWith(titleFrom(path.stem().string()));
   scene::parseScene(text, path);  // A title may be too long.
   system::writeFileAtomically(path, text);
-  std::cout << fmt::format(
-      "wrote {}\nnext: change a number in it, and run\n  rotatebook render {}\n",
-      oneLine(path.string()), oneLine(shellWord(path.string())));
+  fmt::print(std::cout, "wrote {}\nnext: change a number in it, and run\n  rotatebook render {}\n",
+             oneLine(path.string()), oneLine(shellWord(path.string())));
   return kDone;
 }
 

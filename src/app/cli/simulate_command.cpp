@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/ostream.h>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
@@ -38,8 +40,8 @@ std::vector<timeline::MotionSummary> summariesOf(const scene::Scene& scene,
 /// Prints the table of a scene that has a single one to the standard output.
 int printTable(const scene::Scene& scene, bool noExpect) {
   if (timeline::tableCount(scene) > 1) {
-    throw InputError("--csv -: " + scene.name +
-                     " has panels, each with a table of its own; name a file");
+    throw InputError(fmt::format(
+        "--csv -: {} has panels, each with a table of its own; name a file", scene.name));
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::tableText(scene, motion, 0);
@@ -51,9 +53,9 @@ int printTable(const scene::Scene& scene, bool noExpect) {
 
 void reportAsText(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
                   const std::vector<timeline::MotionSummary>& motions, std::ostream& out) {
-  out << scene.name << ": " << scene.title << '\n';
+  fmt::print(out, "{}: {}\n", scene.name, scene.title);
   for (const WrittenTable& table : tables) {
-    out << "  wrote " << oneLine(table.path.string()) << ", " << table.rows << " rows\n";
+    fmt::print(out, "  wrote {}, {} rows\n", oneLine(table.path.string()), table.rows);
   }
   reportMotions(motions, out);
 }

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <unistd.h>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
@@ -44,8 +44,8 @@ int streamScene(const SceneToRender& one, const pipeline::StreamOptions& options
     frames = streamClip(scene, motion, options, output, "the standard output", progress,
                         one.found.textures);
   }
-  std::clog << fmt::format("{}: wrote {} to the standard output\n", scene.name,
-                           countText(frames, "frame"));
+  fmt::print(std::clog, "{}: wrote {} to the standard output\n", scene.name,
+             countText(frames, "frame"));
   reportMotions(motions, std::clog);
   reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), false);

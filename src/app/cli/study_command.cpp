@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/document/toml_text.h"
 #include "base/error.h"
@@ -142,18 +142,18 @@ Json studyJson(const StudiedScene& studied) {
 }
 
 bool reportStudy(const study::Study& result, const StudySettings& study, std::ostream& out) {
-  for (const study::CurveOrder& order : result.orders) out << "  " << orderLine(order) << '\n';
+  for (const study::CurveOrder& order : result.orders) fmt::print(out, "  {}\n", orderLine(order));
   if (study.measures == std::vector{Measure::Order}) {
     for (const study::CurveOrder& order : result.orders) {
       for (const auto& [kind, outcome] : kFailures)
         out << failureLine(result, order.curve, kind, outcome);
     }
   } else {
-    for (const StudyRow& row : result.rows) out << "  " << runLine(row, study) << '\n';
+    for (const StudyRow& row : result.rows) fmt::print(out, "  {}\n", runLine(row, study));
   }
   bool met = true;
   for (const study::StudyExpectation& one : expectedOf(result, study)) {
-    out << "  " << reportLine(one.subject(), one.expectation.bounds(), one.measured) << '\n';
+    fmt::print(out, "  {}\n", reportLine(one.subject(), one.expectation.bounds(), one.measured));
     met &= one.isMet();
   }
   return met;
@@ -261,7 +261,7 @@ int finish(StudiedScene& task, std::ostream& out) {
   }
   note(task.files.json);
   system::writeFileAtomically(task.files.json, jsonText(studyJson(besideItsFiles(task))) + '\n');
-  out << "  wrote " << oneLine(listed(task.written)) << std::endl;
+  fmt::print(out, "  wrote {}\n", oneLine(listed(task.written)));
   return status;
 }
 
@@ -274,10 +274,10 @@ std::optional<study::Study> run(const scene::Scene& scene, const std::atomic<boo
 }
 
 int runTask(StudiedScene& task, const std::atomic<bool>& stop, std::ostream& out) {
-  out << task.scene.name << ": " << task.scene.title << std::endl;
+  fmt::print(out, "{}: {}\n", task.scene.name, task.scene.title);
   task.result = run(task.scene, stop);
   if (task.result) return finish(task, out);
-  out << "  interrupted; nothing was written" << std::endl;
+  out << "  interrupted; nothing was written\n";
   task.interrupted = true;
   return interruptStatus();
 }

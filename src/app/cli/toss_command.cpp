@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include <Eigen/Core>
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/json.h"
@@ -97,32 +97,32 @@ std::string statedKeys(const recording::ReadOptions& options) {
 /// Prints the flight, the ratios of the moments with their intervals, and the fit's residual;
 /// `name` is the recording's.
 void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
-  out << fmt::format("{}: flight from {} to {} s, {} readings\n", oneLine(name),
-                     recording::timeText(fit.from), recording::timeText(fit.to), fit.readings);
+  fmt::print(out, "{}: flight from {} to {} s, {} readings\n", oneLine(name),
+             recording::timeText(fit.from), recording::timeText(fit.to), fit.readings);
   for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
     const recording::Estimate& ratio = fit.ratios[i];
-    out << fmt::format("  {} = {}, {} to {}\n", kRatioNames[i], roundedText(ratio.value, 6),
-                       roundedText(ratio.low, 6), roundedText(ratio.high, 6));
+    fmt::print(out, "  {} = {}, {} to {}\n", kRatioNames[i], roundedText(ratio.value, 6),
+               roundedText(ratio.low, 6), roundedText(ratio.high, 6));
   }
-  out << fmt::format(
-      "  {}\n  the fitted motion differs by {} (root mean square) of {}; gap of singular values "
-      "{}\n",
-      intervalsText(fit), degreesASecond(fit.residual), degreesASecond(fit.spin),
-      roundedText(fit.gap, 3));
+  fmt::print(out,
+             "  {}\n  the fitted motion differs by {} (root mean square) of {}; gap of singular "
+             "values {}\n",
+             intervalsText(fit), degreesASecond(fit.residual), degreesASecond(fit.spin),
+             roundedText(fit.gap, 3));
   if (fit.rest > 0) {
-    out << fmt::format("  bias {}, from {} s of rest before\n", degreesASecond(fit.bias.norm()),
-                       digits4(fit.rest));
+    fmt::print(out, "  bias {}, from {} s of rest before\n", degreesASecond(fit.bias.norm()),
+               digits4(fit.rest));
   } else if (fit.isMeasured) {
     out << "  no rest before the flight: the gyroscope's bias isn't subtracted, and the intervals "
            "leave it out\n";
   }
-  for (const std::string& note : fit.notes) out << "  note: " << note << '\n';
+  for (const std::string& note : fit.notes) fmt::print(out, "  note: {}\n", note);
 }
 
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
   Json object{{"name", name}, {"from_s", fit.from}, {"to_s", fit.to}};
   object.update(fitJson(fit));
-  out << jsonText(object) << '\n';
+  fmt::print(out, "{}\n", jsonText(object));
 }
 
 /// Prints a line for each throw of a recording: its time and spin, and its ratios or why it is
@@ -130,32 +130,31 @@ void reportTossAsJson(const recording::TossFit& fit, const std::string& name, st
 void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
                   std::ostream& out) {
   const auto flights = std::ranges::count(throws, true, &recording::Throw::isFlight);
-  out << fmt::format("{}: {}", oneLine(name), countText(flights, "flight"));
+  fmt::print(out, "{}: {}", oneLine(name), countText(flights, "flight"));
   if (throws.empty()) {
-    out << fmt::format(", as the body never turns faster than {} for {} s",
-                       degreesASecond(recording::kSlowestThrow),
-                       roundedText(recording::kShortestThrow, 2));
+    fmt::print(out, ", as the body never turns faster than {} for {} s",
+               degreesASecond(recording::kSlowestThrow), roundedText(recording::kShortestThrow, 2));
   }
   out << '\n';
   for (const recording::Throw& one : throws) {
-    out << fmt::format("  from {} to {}, {} s at {}: ", recording::timeText(one.from),
-                       recording::timeText(one.to), roundedText(one.to - one.from, 2),
-                       degreesASecond(one.spin));
+    fmt::print(out, "  from {} to {}, {} s at {}: ", recording::timeText(one.from),
+               recording::timeText(one.to), roundedText(one.to - one.from, 2),
+               degreesASecond(one.spin));
     if (!one.fit) {
       // Each refusal begins with the recording's name.
       const bool isNamed = one.refusal.starts_with(name + ": ");
-      out << "refused: " << one.refusal.substr(isNamed ? name.size() + 2 : 0) << '\n';
+      fmt::print(out, "refused: {}\n", one.refusal.substr(isNamed ? name.size() + 2 : 0));
       continue;
     }
-    out << fmt::format("I1/I3 = {}, I2/I3 = {}\n", digits4(one.fit->ratios[0].value),
-                       digits4(one.fit->ratios[1].value));
-    for (const std::string& note : one.fit->notes) out << "    note: " << note << '\n';
+    fmt::print(out, "I1/I3 = {}, I2/I3 = {}\n", digits4(one.fit->ratios[0].value),
+               digits4(one.fit->ratios[1].value));
+    for (const std::string& note : one.fit->notes) fmt::print(out, "    note: {}\n", note);
   }
 }
 
 void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
                         std::ostream& out) {
-  out << jsonText({{"name", name}, {"throws", arrayOf(throws, throwJson)}}) << '\n';
+  fmt::print(out, "{}\n", jsonText({{"name", name}, {"throws", arrayOf(throws, throwJson)}}));
 }
 
 /// Returns a scene of the toss: the recording beside the exact motion from its fitted start, at a
@@ -275,7 +274,7 @@ int fitAndReport(const TossArguments& arguments) {
   (arguments.json ? reportTossAsJson : reportToss)(fit, files.motion.name, std::cout);
   if (path.empty()) return kDone;
   system::writeFileAtomically(arguments.scene, tossScene(fit, path, options));
-  if (!arguments.json) std::cout << "wrote " << oneLine(arguments.scene) << '\n';
+  if (!arguments.json) fmt::print(std::cout, "wrote {}\n", oneLine(arguments.scene));
   return kDone;
 }
 

@@ -72,13 +72,13 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   const bool isNamed = command.get_option_no_throw("--" + word) != nullptr;
   const bool haveScenes = command.get_option_no_throw("--set") != nullptr;
   const std::string key = isNamed || !haveScenes ? "" : keyNamed(word);
-  if (!key.empty()) return "; it is a key of scenes: --set " + key + "=...";
+  if (!key.empty()) return fmt::format("; it is a key of scenes: --set {}=...", key);
   if (const std::string others = commandsWith(program, name); !others.empty())
     return "; it is an option of " + others;
   if (name.size() == 2) return "";
   // The dashes are no letters that they have in common.
   const auto nearest = nearestName(word, longOptions(command));
-  return nearest ? "; did you mean " + quotedText("--" + std::string(*nearest)) + "?" : "";
+  return nearest ? fmt::format("; did you mean {}?", quotedText("--" + std::string(*nearest))) : "";
 }
 
 /// Returns whether an argument that begins with a dash is likely a file.
@@ -120,7 +120,7 @@ std::string valueProblem(CLI::App& command, const CLI::Error& error) {
   const std::string name = option->get_name(), value = joined(option->results(), ",");
   const bool areSeveral = value.find(',') != value.npos && command.get_option_no_throw(name + "s");
   return name + " must be a number, not " + quotedText(echoed(value)) +
-         (areSeveral ? "; " + name + "s takes several" : "");
+         (areSeveral ? fmt::format("; {}s takes several", name) : "");
 }
 
 /// Returns what is wrong with the command line.
@@ -133,8 +133,8 @@ std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
       std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
   if (option != unknown.end()) {
     const std::string name = option->substr(0, option->find('='));
-    return "unknown option" + (isChosen ? " of " + command.get_name() : "") + ": " + echoed(name) +
-           (isFile(*option) ? "" : optionHint(program, name));
+    return fmt::format("unknown option{}: {}{}", isChosen ? " of " + command.get_name() : "",
+                       echoed(name), isFile(*option) ? "" : optionHint(program, name));
   }
   if (!isChosen && unknown.empty())
     return "a command is needed, for example: rotatebook render scenes/starter.toml";
@@ -169,10 +169,10 @@ std::string adviceText(const CLI::App& program) {
   const CLI::App& command = chosen(program);
   const bool none = &command == &program;
   const std::string names = none && program.remaining().empty()
-                                ? "Commands: " + joined(commandNames(program)) + '\n'
+                                ? fmt::format("Commands: {}\n", joined(commandNames(program)))
                                 : "";
-  return names + "Run 'rotatebook " + (none ? "" : command.get_name() + ' ') +
-         "--help' for more information.\n";
+  return fmt::format("{}Run 'rotatebook {}--help' for more information.\n", names,
+                     none ? "" : command.get_name() + ' ');
 }
 
 }  // namespace rotatebook::cli

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string_view>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -118,7 +118,7 @@ std::string spinsLine(const Verdict& verdict) {
   if (verdict.scatter > kNoise) parts.push_back("noise of " + percentOf(verdict.scatter));
   if (verdict.fittedBy)
     parts.push_back("the start is fitted, its spin changed by " + percentOf(*verdict.fittedBy));
-  return parts.empty() ? "" : "  " + joined(parts, "; ") + '\n';
+  return parts.empty() ? "" : fmt::format("  {}\n", joined(parts, "; "));
 }
 
 Json boundJson(const BoundResult& one) {
@@ -200,33 +200,32 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
                     std::ostream& out) {
   for (const auto& [name, verdict, mistake, notes] : motions) {
     if (!mistake.empty()) {
-      out << fmt::format("{}: not judged: {}\n", oneLine(name), mistake);
+      fmt::print(out, "{}: not judged: {}\n", oneLine(name), mistake);
       continue;
     }
-    out << fmt::format("{}: {}\n  error {} degrees after {} s, at most {}", oneLine(name),
-                       timeline::methodThat(verdict), shortNumber(verdict.endErrorDeg),
-                       shortNumber(verdict.duration), shortNumber(verdict.errorDeg));
+    fmt::print(out, "{}: {}\n  error {} degrees after {} s, at most {}", oneLine(name),
+               timeline::methodThat(verdict), shortNumber(verdict.endErrorDeg),
+               shortNumber(verdict.duration), shortNumber(verdict.errorDeg));
     if (verdict.visibleFrom) {
-      out << fmt::format(", more than {} from {} s on", shortNumber(timeline::kVisibleErrorDeg),
-                         shortNumber(*verdict.visibleFrom));
+      fmt::print(out, ", more than {} from {} s on", shortNumber(timeline::kVisibleErrorDeg),
+                 shortNumber(*verdict.visibleFrom));
     }
-    out << fmt::format("\n  {}; {}; L turned by up to {} degrees\n{}  {} of {} flips; {}\n",
-                       driftText("energy", verdict.energyDrift, verdict.endEnergyDrift),
-                       driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift),
-                       shortNumber(verdict.momentumTurnDeg), spinsLine(verdict), verdict.halfTurns,
-                       verdict.halfTurnsDue, regimesText(verdict));
+    fmt::print(out, "\n  {}; {}; L turned by up to {} degrees\n{}  {} of {} flips; {}\n",
+               driftText("energy", verdict.energyDrift, verdict.endEnergyDrift),
+               driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift),
+               shortNumber(verdict.momentumTurnDeg), spinsLine(verdict), verdict.halfTurns,
+               verdict.halfTurnsDue, regimesText(verdict));
     for (const BoundResult& one : resultsOf(verdict, bounds))
-      out << fmt::format("  {}{}: expected {}\n", one.met ? "met      " : "not met  ", one.name,
-                         one.text);
+      fmt::print(out, "  {}{}: expected {}\n", one.met ? "met      " : "not met  ", one.name,
+                 one.text);
   }
 }
 
 void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                           std::ostream& out) {
-  out << jsonText({{"met", allMet(motions, bounds)},
-                   {"motions",
-                    arrayOf(motions, [&](const auto& one) { return verdictJson(one, bounds); })}})
-      << '\n';
+  const auto asJson = [&](const auto& one) { return verdictJson(one, bounds); };
+  fmt::print(out, "{}\n",
+             jsonText({{"met", allMet(motions, bounds)}, {"motions", arrayOf(motions, asJson)}}));
 }
 
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {

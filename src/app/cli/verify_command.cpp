@@ -7,7 +7,7 @@
 #include <ranges>
 #include <string>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -189,30 +189,30 @@ Json json(store::FrameRange range) {
 /// verdict. `clip` is the file's name.
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
   const store::Provenance& provenance = found.record.provenance;
-  out << fmt::format("{}: claims to be {} of the scene {}, made by rotatebook {}\n", oneLine(clip),
-                     framesText(found), provenance.scene, provenance.program);
+  fmt::print(out, "{}: claims to be {} of the scene {}, made by rotatebook {}\n", oneLine(clip),
+             framesText(found), provenance.scene, provenance.program);
   for (const std::string& difference : found.toolsDiffer)
-    out << fmt::format("  note    {}; pixels may differ\n", difference);
+    fmt::print(out, "  note    {}; pixels may differ\n", difference);
   for (const ClipCheck& check : found.checks) out << checkText(check);
   for (const PictureCheck& check : found.pictures) out << checkText(asClipCheck(check));
-  out << verdictText(found) << '\n';
+  fmt::print(out, "{}\n", verdictText(found));
 }
 
 /// Prints the same as one JSON object on one line.
 void reportVerificationAsJson(const std::string& clip, const Verification& found,
                               std::ostream& out) {
   const auto asJson = [](const auto& check) { return json(check); };
-  out << jsonText({{"clip", clip},
-                   {"proved", found.verdict() == pipeline::Verdict::Proved},
-                   {"verdict", rowOf(found.verdict()).word},
-                   {"quantiser", orNull(found.quantiser)},
-                   {"made_with", json(found.record.provenance)},
-                   {"frames", json(found.range)},
-                   {"whole_frames", found.wholeCount},
-                   {"tools_differ", found.toolsDiffer},
-                   {"checks", arrayOf(found.checks, asJson)},
-                   {"pictures", arrayOf(found.pictures, asJson)}})
-      << '\n';
+  fmt::print(out, "{}\n",
+             jsonText({{"clip", clip},
+                       {"proved", found.verdict() == pipeline::Verdict::Proved},
+                       {"verdict", rowOf(found.verdict()).word},
+                       {"quantiser", orNull(found.quantiser)},
+                       {"made_with", json(found.record.provenance)},
+                       {"frames", json(found.range)},
+                       {"whole_frames", found.wholeCount},
+                       {"tools_differ", found.toolsDiffer},
+                       {"checks", arrayOf(found.checks, asJson)},
+                       {"pictures", arrayOf(found.pictures, asJson)}}));
 }
 
 struct VerifyArguments {

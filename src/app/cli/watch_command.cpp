@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -105,8 +105,7 @@ Shown shownOf(const WatchArguments& arguments) {
   const std::filesystem::path book =
       arguments.live.empty() ? installedBook() : std::filesystem::path(arguments.live);
   shown.live.emplace(book, std::filesystem::path(shown.still).parent_path(), name);
-  std::cout << fmt::format("{}: open {} in a browser\n", name, oneLine(shown.live->page().string()))
-            << std::flush;
+  fmt::print(std::cout, "{}: open {} in a browser\n", name, oneLine(shown.live->page().string()));
   return shown;
 }
 
@@ -119,8 +118,7 @@ void drawAnew(const WatchArguments& arguments, const Shown& shown, WatchedFiles&
   if (shown.live) shown.live->play(scene, arguments.scene);
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, shown.still, arguments.deviceOptions.choice());
-  std::cout << fmt::format("{}: wrote frame {} to {}\n", scene.name, frame, oneLine(shown.still))
-            << std::flush;
+  fmt::print(std::cout, "{}: wrote frame {} to {}\n", scene.name, frame, oneLine(shown.still));
 }
 
 int watchScene(const WatchArguments& arguments) {

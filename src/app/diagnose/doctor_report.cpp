@@ -2,13 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -19,40 +17,21 @@ namespace rotatebook::diagnose {
 namespace {
 
 constexpr int kNameWidth = 21;
-constexpr std::size_t kTextWidth = 92;
 
 std::string gigabytes(double bytes) {
   return roundedText(bytes / 1e9, 3) + " GB";
 }
 
 void row(const std::string& name, const std::string& text, std::ostream& out) {
-  out << "  " << std::left << std::setw(kNameWidth) << name << text << '\n';
+  fmt::print(out, "  {:<{}}{}\n", name, kNameWidth, text);
 }
 
-/// Prints `text` wrapped at kTextWidth, with `first` before the first line and as many spaces
-/// before the others. Lines that begin with two spaces are commands, and aren't wrapped.
-void printWrapped(const std::string& text, std::string first, std::ostream& out) {
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const std::string indent(first.size(), ' ');
-    std::string done = first;
-    first = indent;
-    if (line.starts_with("  ")) {
-      out << done << line << '\n';
-      continue;
-    }
-    std::istringstream words(line);
-    for (std::string word; words >> word;) {
-      const bool begins = done.size() == indent.size();
-      if (!begins && done.size() + 1 + word.size() > kTextWidth) {
-        out << done << '\n';
-        done = indent + word;
-      } else {
-        done += (begins ? "" : " ") + word;
-      }
-    }
-    out << done << '\n';
-  }
+/// Prints `text`, each line after the first with as many spaces before it as `first` has letters.
+void printIndented(std::string text, const std::string& first, std::ostream& out) {
+  const std::string indent(first.size(), ' ');
+  for (auto at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+    text.insert(at + 1, indent);
+  fmt::print(out, "{}{}\n", first, text);
 }
 
 std::string kindOf(const DisplayCheck& check) {
@@ -115,8 +94,8 @@ void printProblems(const std::vector<Problem>& problems, std::ostream& out) {
   if (problems.empty()) return;
   out << "\nproblems\n";
   for (std::size_t i = 0; i < problems.size(); ++i) {
-    printWrapped(problems[i].what, fmt::format("  {}. ", i + 1), out);
-    printWrapped(problems[i].remedy, "     remedy: ", out);
+    printIndented(problems[i].what, fmt::format("  {}. ", i + 1), out);
+    printIndented(problems[i].remedy, "     remedy: ", out);
   }
 }
 
@@ -130,7 +109,7 @@ std::string lackText(const Checkup& checkup) {
 }
 
 std::string verdict(const Checkup& checkup) {
-  if (!checkup.ready()) return "NOT READY to render: " + lackText(checkup) + ".";
+  if (!checkup.ready()) return fmt::format("NOT READY to render: {}.", lackText(checkup));
   const DisplayCheck& candidate = checkup.graphics.candidates[*checkup.graphics.byDefault];
   const std::size_t count = checkup.problems.size();
   return fmt::format("Ready to render: {} draws ({}), {} encodes{}.", candidate.candidate.name(),
@@ -207,25 +186,25 @@ Json json(const Problem& problem) {
 }  // namespace
 
 void reportCheckup(const Checkup& checkup, std::ostream& out) {
-  out << "rotatebook " << kVersion << "\n\n";
+  fmt::print(out, "rotatebook {}\n\n", kVersion);
   printGraphics(checkup.graphics, out);
   printRest(checkup, out);
   printProblems(checkup.problems, out);
-  out << '\n' << verdict(checkup) << '\n';
+  fmt::print(out, "\n{}\n", verdict(checkup));
 }
 
 void reportCheckupAsJson(const Checkup& checkup, std::ostream& out) {
   const auto asJson = [](const auto& part) { return json(part); };
-  out << jsonText({{"ready", checkup.ready()},
-                   {"version", kVersion},
-                   {"graphics", json(checkup.graphics)},
-                   {"encoders", arrayOf(checkup.encoders, asJson)},
-                   {"font_error", orNull(checkup.fontFailure)},
-                   {"folder", json(checkup.folder)},
-                   {"cores", checkup.cores},
-                   {"memory_bytes", checkup.memory},
-                   {"problems", arrayOf(checkup.problems, asJson)}})
-      << '\n';
+  fmt::print(out, "{}\n",
+             jsonText({{"ready", checkup.ready()},
+                       {"version", kVersion},
+                       {"graphics", json(checkup.graphics)},
+                       {"encoders", arrayOf(checkup.encoders, asJson)},
+                       {"font_error", orNull(checkup.fontFailure)},
+                       {"folder", json(checkup.folder)},
+                       {"cores", checkup.cores},
+                       {"memory_bytes", checkup.memory},
+                       {"problems", arrayOf(checkup.problems, asJson)}}));
 }
 
 }  // namespace rotatebook::diagnose

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include <fmt/core.h>
+#include <fmt/ostream.h>
 
 #include "base/json.h"
 #include "base/text.h"
@@ -27,11 +27,12 @@ std::string timeText(double seconds) {
 }
 
 void printTask(const TaskState& task, std::ostream& out) {
-  out << "  " << nameOf(task.kind) << ": " << oneLine(task.name);
-  if (!task.node.empty()) out << " on " << oneLine(task.node);
-  if (task.kind == Kind::Running) out << " for " << timeText(static_cast<double>(task.seconds));
-  if (!task.reason.empty()) out << ", " << oneLine(task.reason);
-  if (task.kind == Kind::Failed) out << " (" << oneLine(task.log.string()) << ')';
+  fmt::print(out, "  {}: {}", nameOf(task.kind), oneLine(task.name));
+  if (!task.node.empty()) fmt::print(out, " on {}", oneLine(task.node));
+  if (task.kind == Kind::Running)
+    fmt::print(out, " for {}", timeText(static_cast<double>(task.seconds)));
+  if (!task.reason.empty()) fmt::print(out, ", {}", oneLine(task.reason));
+  if (task.kind == Kind::Failed) fmt::print(out, " ({})", oneLine(task.log.string()));
   out << '\n';
 }
 
@@ -40,7 +41,7 @@ void printTasks(const PlanState& state, Kind kind, std::ostream& out) {
   for (const TaskState& task : state.tasks) {
     if (task.kind == kind && ++listed <= kMaxListed) printTask(task, out);
   }
-  if (listed > kMaxListed) out << "  " << nameOf(kind) << ": " << listed - kMaxListed << " more\n";
+  if (listed > kMaxListed) fmt::print(out, "  {}: {} more\n", nameOf(kind), listed - kMaxListed);
 }
 
 void printWaiting(const PlanState& state, std::ostream& out) {
@@ -49,29 +50,26 @@ void printWaiting(const PlanState& state, std::ostream& out) {
   std::string reason;
   for (const TaskState& task : state.tasks)
     if (task.kind == Kind::Waiting && reason.empty()) reason = task.reason;
-  out << "  waiting: " << countText(waiting, "task") << (reason.empty() ? "" : " (" + reason + ")")
-      << '\n';
+  fmt::print(out, "  waiting: {}{}\n", countText(waiting, "task"),
+             reason.empty() ? "" : fmt::format(" ({})", reason));
 }
 
 void printState(const PlanState& state, std::ostream& out) {
   for (const SceneState& scene : state.scenes) {
-    out << nameOf(state.plan.work) << " of " << oneLine(scene.name) << ": ";
-    if (scene.isWhole) {
-      out << "done\n";
-    } else {
-      out << scene.done << " of " << scene.units << ' ' << unitsOf(state.plan.work)
-          << " are there\n";
-    }
+    fmt::print(out, "{} of {}: {}\n", nameOf(state.plan.work), oneLine(scene.name),
+               scene.isWhole ? "done"
+                             : fmt::format("{} of {} {} are there", scene.done, scene.units,
+                                           unitsOf(state.plan.work)));
   }
-  out << "  done: " << state.count(Kind::Done) << " of "
-      << countText(std::ssize(state.tasks), "task") << '\n';
+  fmt::print(out, "  done: {} of {}\n", state.count(Kind::Done),
+             countText(std::ssize(state.tasks), "task"));
   printTasks(state, Kind::Running, out);
   printWaiting(state, out);
   printTasks(state, Kind::Failed, out);
   if (state.join && state.join->kind != Kind::Done) printTask(*state.join, out);
-  if (state.remaining) out << "  the tasks end in about " << timeText(*state.remaining) << '\n';
+  if (state.remaining) fmt::print(out, "  the tasks end in about {}\n", timeText(*state.remaining));
   if (!state.queueProblem.empty())
-    out << "  who runs what isn't known: " << state.queueProblem << '\n';
+    fmt::print(out, "  who runs what isn't known: {}\n", state.queueProblem);
   if (state.hasFailed()) out << "  the same 'rotatebook submit' sends what is missing once more\n";
 }
 
@@ -109,25 +107,25 @@ Json stateJson(const PlanState& state) {
 
 void reportSubmission(const Plan& plan, const Submission& submission, std::ostream& out) {
   if (submission.isWhole) {
-    out << "all results are in " << oneLine(plan.folder.string()) << "; nothing was sent\n";
+    fmt::print(out, "all results are in {}; nothing was sent\n", oneLine(plan.folder.string()));
     return;
   }
   if (submission.done > 0) {
-    out << countText(submission.done, "task") << " of " << submission.tasks
-        << (submission.done == 1 ? " was" : " were") << " done before\n";
+    fmt::print(out, "{} of {} {} done before\n", countText(submission.done, "task"),
+               submission.tasks, submission.done == 1 ? "was" : "were");
   }
   if (submission.queued > 0) {
-    out << countText(submission.queued, "task") << (submission.queued == 1 ? " is" : " are")
-        << " in the queue already\n";
+    fmt::print(out, "{} {} in the queue already\n", countText(submission.queued, "task"),
+               submission.queued == 1 ? "is" : "are");
   }
   if (!submission.array.empty()) {
-    out << "sent " << countText(std::ssize(submission.sent), "task") << " as job "
-        << submission.array << '\n';
+    fmt::print(out, "sent {} as job {}\n", countText(std::ssize(submission.sent), "task"),
+               submission.array);
   }
   if (!submission.join.empty())
-    out << "sent job " << submission.join << ", which joins the results after them\n";
+    fmt::print(out, "sent job {}, which joins the results after them\n", submission.join);
   if (submission.array.empty() && submission.join.empty()) out << "nothing was sent\n";
-  out << "see rotatebook status " << oneLine(shellWord(plan.folder.string())) << '\n';
+  fmt::print(out, "see rotatebook status {}\n", oneLine(shellWord(plan.folder.string())));
 }
 
 void reportStates(const std::vector<PlanState>& states, std::ostream& out) {
@@ -135,7 +133,7 @@ void reportStates(const std::vector<PlanState>& states, std::ostream& out) {
 }
 
 void reportStatesAsJson(const std::vector<PlanState>& states, std::ostream& out) {
-  out << jsonText({{"plans", arrayOf(states, stateJson)}}) << '\n';
+  fmt::print(out, "{}\n", jsonText({{"plans", arrayOf(states, stateJson)}}));
 }
 
 }  // namespace rotatebook::farm

@@ -55,7 +55,7 @@ PlannedScene sceneFrom(const Json& json) {
 Work workIn(const Json& json) {
   const std::string name = json.at("work");
   if (const auto work = parseWork(name)) return *work;
-  throw InputError("work " + quotedText(name) + " is unknown");
+  throw InputError(fmt::format("work {} is unknown", quotedText(name)));
 }
 
 StoredPlan planFrom(const Json& json) {

@@ -34,7 +34,7 @@ const PlanFormat& planFormat(std::string_view name) {
 std::string listText(const Plan& plan, const std::vector<Task>& tasks) {
   const std::string join = joinLineOf(plan);
   if (join.empty()) return linesOf(plan, tasks);
-  return linesOf(plan, tasks) + "# Once all of these have ended:\n" + join + '\n';
+  return fmt::format("{}# Once all of these have ended:\n{}\n", linesOf(plan, tasks), join);
 }
 
 std::string parallelText(const Plan& plan, const std::vector<Task>& tasks) {

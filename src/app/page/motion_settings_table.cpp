@@ -27,8 +27,8 @@ struct Texts {
   /// Has semicolons between the numbers if the decimal mark is a comma.
   std::string vector(const Eigen::Vector3d& vector) const {
     const std::string_view between = say.numbers("0.5") == "0,5" ? "; " : ", ";
-    return "(" + joined({number(vector.x()), number(vector.y()), number(vector.z())}, between) +
-           ")";
+    return fmt::format(
+        "({})", joined({number(vector.x()), number(vector.y()), number(vector.z())}, between));
   }
 
   std::string model(const scene::Panel& motion) const {

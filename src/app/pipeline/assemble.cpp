@@ -136,8 +136,8 @@ void requireAllDrawn(const store::FrameChecksums& checksums, store::FrameRange r
 /// Throws InputError if the frames that are there aren't all of the scene's.
 void requireWhole(const fs::path& folder, const Assembled& made) {
   if (!made.sceneFrames) {
-    throw InputError("--whole: " + folder.string() +
-                     " has no scene.toml that says how many frames there are");
+    throw InputError(fmt::format(
+        "--whole: {} has no scene.toml that says how many frames there are", folder.string()));
   }
   if (!made.isPart()) return;
   throw InputError(

@@ -42,9 +42,10 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
   for (const fs::path& output : outputs_)
     locks_.emplace_back(output, settings.part ? system::Lock::Shared : system::Lock::Exclusive);
   if (!settings.earlier.overwrite) {
-    const std::string remedy = "the render of " + settings.scene.name +
-                               " would replace it; rename the scene or its panel, render into "
-                               "another folder with -o, or replace it with --overwrite";
+    const std::string remedy = fmt::format(
+        "the render of {} would replace it; rename the scene or its panel, render into another "
+        "folder with -o, or replace it with --overwrite",
+        settings.scene.name);
     refuseResultsOfOthers({ResultKind::Clip, settings.scene.name}, outputs_, remedy);
     refuseNoResultsOfClip(files, outputs_, remedy);
   }

@@ -43,16 +43,18 @@ def _plain(value: Any) -> Any:
     raise TypeError(f"a scene's tables can't hold {value!r}")
 
 
-def _leaves(value: Any, key: str) -> Iterator[tuple[str, Any]]:
+def _leaves(value: Any, key: str, holders: tuple[Any, ...] = ()) -> Iterator[tuple[str, Any]]:
     """Yields the values in a scene's tree that hold no others, with their keys: ("initial.tilt[0]", 0.1)."""
     if hasattr(value, "tolist"):
         value = value.tolist()
+    if any(value is holder for holder in holders):
+        raise ValueError(f"{key} holds itself, which no table of a scene can")
     if isinstance(value, Mapping):
         for name, item in value.items():
-            yield from _leaves(item, f"{key}.{name}" if key else str(name))
+            yield from _leaves(item, f"{key}.{name}" if key else str(name), (*holders, value))
     elif isinstance(value, (list, tuple)):
         for index, item in enumerate(value):
-            yield from _leaves(item, f"{key}[{index}]")
+            yield from _leaves(item, f"{key}[{index}]", (*holders, value))
     else:
         yield key, value
 

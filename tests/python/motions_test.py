@@ -135,6 +135,10 @@ class Scenes(unittest.TestCase):
                 Scene.from_dict({"initial": {"angular_velocity": [5, value, 1]}})
         with self.assertRaisesRegex(SceneError, "^scene.toml: title is None"):
             Scene.from_dict({"title": None})
+        body: dict = {"look": {}}
+        body["look"]["parts"] = [body]
+        with self.assertRaisesRegex(ValueError, r"^body\.look\.parts\[0\] holds itself"):
+            Scene.from_dict({"body": body})
 
     def test_are_texts_and_tables_are_dicts(self):
         for text, given in (("scenes/starter.toml", "scenes/starter.toml"), (pathlib.Path("a.toml"), "a PosixPath"),

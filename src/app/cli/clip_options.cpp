@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/option_checks.h"
+#include "cli/scene_options.h"
 #include "pipeline/stream_clip.h"
 
 namespace rotatebook::cli {
@@ -63,19 +64,23 @@ video::VideoFormat parseFormat(const std::string& name) {
     throw InputError(
         fmt::format("--format {}: for the standard output alone; add --output - to render", name));
   }
-  throw InputError(fmt::format("--format {}: unknown; there are {}{}", name,
+  throw InputError(fmt::format("--format {}: unknown; there are {}{}", shellWord(name),
                                quotedList(names, "and"), didYouMean(name, names)));
 }
 
 }  // namespace
 
 CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names) {
-  return addOption(
-             command, "--format", "NAME,...", names,
-             "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif",
-             "Clip")
-      ->delimiter(',')
-      ->allow_extra_args(false)
+  const auto take = [&names](const std::vector<std::string>& lists) {
+    names.clear();
+    for (const std::string& list : lists)
+      for (const std::string& name : itemsOf(list)) names.push_back(name);
+  };
+  return repeated(command.add_option_function<std::vector<std::string>>("--format", take))
+      ->description(fmt::format("Videos to make, of {}, e.g. mp4,gif",
+                                listFormats(&video::FormatRow::name, "and")))
+      ->type_name("NAME,...")
+      ->group("Clip")
       ->default_str(std::string(nameOf(video::VideoFormat::Mp4)));
 }
 

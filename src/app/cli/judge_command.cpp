@@ -50,6 +50,8 @@ void printNotes(const std::string& name, const recording::RecordedMotion& motion
 
 /// Returns the motion of a table, of a body that the command line states.
 physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& arguments) {
+  const recording::ReadOptions options = arguments.recording.read();
+  const TableFile table = openRecording(file, "", options).motion;
   if (arguments.inertia.empty() == arguments.size.empty()) {
     throw InputError(fmt::format(
         "{}: a table of a motion doesn't say what moves; state {}the body's moments with --inertia "
@@ -62,8 +64,6 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   } else {
     takeInertia(motion, threeNumbers(arguments.inertia, "--inertia").asDiagonal());
   }
-  const recording::ReadOptions options = arguments.recording.read();
-  const TableFile table = openRecording(file, "", options).motion;
   auto recorded = std::make_shared<recording::RecordedMotion>(
       recording::readRecording(table.bytes, table.name, options));
   printNotes(table.name, *recorded);

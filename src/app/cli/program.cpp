@@ -270,10 +270,13 @@ void addHelpCommand(CLI::App& program, Action& action) {
   };
   auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("help", "Describe the program, or one command");
-  command->add_option("COMMAND", arguments->name, "Command to describe");
-  command->add_flag("--man", arguments->manual, "Print the manual page, for man -l -");
+  CLI::Option* named = command->add_option("COMMAND", arguments->name, "Command to describe");
+  command->add_flag("--man", arguments->manual, "Print the manual page, for man -l -")
+      ->excludes(named);
   addOption(*command, "--completion", "bash|zsh|fish", arguments->shell,
-            "Print what has bash, zsh or fish complete command lines");
+            "Print what has bash, zsh or fish complete command lines")
+      ->excludes(named)
+      ->excludes("--man");
   command->footer(R"(
 'make install' and the Debian package install both: man rotatebook.
 

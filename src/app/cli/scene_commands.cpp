@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -110,6 +111,10 @@ NamedScenes namedIn(const std::vector<std::string>& words) {
     else
       named.paths.emplace_back(word);
   }
+  std::set<fs::path> known;
+  std::erase_if(named.paths, [&](const fs::path& path) {
+    return !known.insert(fs::absolute(path).lexically_normal()).second;
+  });
   return named;
 }
 

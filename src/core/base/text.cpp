@@ -176,7 +176,8 @@ std::string csvField(const std::string& text) {
 }
 
 std::string shellWord(std::string text) {
-  if (text.find_first_of(" \t\n'\"\\`$&|;<>()*?[]{}~#!") == std::string::npos) return text;
+  const bool isPlain = text.find_first_of(" \t\n'\"\\`$&|;<>()*?[]{}~#!") == std::string::npos;
+  if (isPlain && !text.empty()) return text;
   for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4) {
     text.replace(at, 1, R"('\'')");
   }

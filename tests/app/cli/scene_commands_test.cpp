@@ -162,6 +162,10 @@ TEST_F(SceneCommandsTest, CheckOfAFolderNamesWhatItCannotReadAndGoesOn) {
             "rotatebook: ./a/hidden.toml: can't be read: Permission denied\n");
 }
 
+TEST_F(SceneCommandsTest, CheckOfAFolderListsAFileOnceThatIsNamedToo) {
+  EXPECT_EQ(run({"check", "tiny.toml", ".", "./tiny.toml"}).output, "tiny.toml   0.2 s  Tiny\n");
+}
+
 TEST_F(SceneCommandsTest, CheckOfAFolderNamesLinksToNothing) {
   fs::create_symlink("nowhere", folder() / "far-away.toml");
   const ChildResult result = run({"check", "."});

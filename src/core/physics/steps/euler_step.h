@@ -22,7 +22,8 @@ struct EulerStep {
     const Vector3<Number> t = cross(u, Number(2) * state.momentum);
     const Vector3<Number> inBody = (state.momentum - s * t) + cross(u, t);
     const Vector3<Number> v = componentProduct(halfTurn, inBody);
-    const Vector3<Number> stretched = (Number(2) * squaredNorm(state.attitude) - Number(1)) * u;
+    const Vector3<Number> stretched =
+        exactProductPlus(Number(2), squaredNorm(state.attitude), Number(-1)) * u;
     const Vector3<Number> next = (u + s * v) + cross(stretched, v);
     state.attitude = {s - dot(u, v), next.x, next.y, next.z};
   }

@@ -33,17 +33,34 @@ inline double rootOf(double x) {
   return std::sqrt(x);
 }
 
+/// Returns whether the size of any number is above `bound`.
+inline bool isAnyLarger(double x, double bound) {
+  return std::fabs(x) > bound;
+}
+/// Returns a b + c, where a b has no more digits than a number: however often it is rounded.
+inline double exactProductPlus(double a, double b, double c) {
+  return a * b + c;
+}
+
+/// Distance from 1 up to which a type's inverseOfRoot() is right, if it has one.
+inline constexpr double kRootReach = 0x1p-5;
+
 /// Returns 1/sqrt(x), to rounding. Near 1, where the squared norm of an attitude is after a short
-/// step, a series is faster than a root and a division.
+/// step, a series is faster than a root and a division. There x - 1 has at most 40 digits.
 template <typename Number>
 [[gnu::always_inline]] inline Number inverseRoot(Number x) {
-  const Number kNearOne(1e-4);  // The next term of the series is below 3e-17 here.
+  constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
   const Number e = x - Number(1);
-  const auto isFar = magnitude(e) > kNearOne;
-  const Number near = (Number(1) - e / Number(2)) + e * e * (Number(0.375) - Number(0.3125) * e);
-  if (!isAny(isFar)) [[likely]]
-    return near;
-  return chosen(isFar, Number(1) / rootOf(x), near);
+  const Number series = exactProductPlus(Number(-0.5), e, Number(1)) +
+                        e * e * exactProductPlus(Number(-0.3125), e, Number(0.375));
+  if (!isAnyLarger(e, kNearOne)) [[likely]]
+    return series;
+  const auto isFar = magnitude(e) > Number(kNearOne);
+  if constexpr (requires { inverseOfRoot(x, series); }) {
+    if (!isAnyLarger(e, kRootReach)) [[likely]]
+      return chosen(isFar, inverseOfRoot(x, series), series);
+  }
+  return chosen(isFar, Number(1) / rootOf(x), series);
 }
 
 }  // namespace rotatebook::physics

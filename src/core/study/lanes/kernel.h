@@ -124,16 +124,38 @@ Vector3<Number> turnedToBody(const StepState<Number>& state) {
   return (state.momentum - state.attitude.w * t) + cross(u, t);
 }
 
-/// Makes steps, of which `left` are left to the next normalisation.
-template <typename Step, typename Number>
-[[gnu::always_inline]] inline void makeSteps(const Step& step, std::int64_t count,
-                                             const Course& course, std::int64_t& left,
-                                             StepState<Number>& state) {
+/// As many motions as a number holds.
+template <typename OfStep, typename Number>
+struct Group {
+  OfStep step;
+  StepState<Number> state;
+  Watch<Number> watch;
+};
+
+template <typename Number, typename Group>
+void load(const Block& block, int first, Group& group) {
+  load<Number>(block.step, first, group.step);
+  load<Number>(block.state, first, group.state);
+  load<Number>(reinterpret_cast<const Row*>(&block.watch), first, group.watch);
+}
+template <typename Number, typename Group>
+void store(const Group& group, Block& block, int first) {
+  store<Number>(group.state, block.state, first);
+  store<Number>(group.watch, reinterpret_cast<Row*>(&block.watch), first);
+}
+
+/// Makes steps, of which `left` are left to the next normalisation, or each of which ends with one.
+template <bool kNormalizesEach, int kGroups, typename Group>
+[[gnu::always_inline]] inline void makeSteps(Group (&groups)[kGroups], std::int64_t count,
+                                             const Course& course, std::int64_t& left) {
   for (std::int64_t made = 0; made < count; ++made) {
-    take(step, state);
-    if (course.normalizeEvery == 0 || --left > 0) continue;
-    left = course.normalizeEvery;
-    normalize(state.attitude);
+    const bool isDue = kNormalizesEach || (course.normalizeEvery != 0 && --left <= 0);
+    if (isDue) left = course.normalizeEvery;
+#pragma GCC unroll 4
+    for (Group& group : groups) {
+      take(group.step, group.state);
+      if (isDue) normalize(group.state.attitude);
+    }
   }
 }
 
@@ -153,15 +175,13 @@ template <typename Step, typename Number>
   return isQuiet;
 }
 
-/// Runs as many motions of a block as a number holds.
-template <template <typename> typename Step, typename Number>
-bool runLanes(Block& block, int first, const Course& course) {
-  Step<Number> step;
-  StepState<Number> state;
-  Watch<Number> watch;
-  load<Number>(block.step, first, step);
-  load<Number>(block.state, first, state);
-  load<Number>(reinterpret_cast<const Row*>(&block.watch), first, watch);
+/// Runs the motions of some groups of a block, step by step in turns: one group's step gives the
+/// processor something to do while it waits for the results of another's.
+template <template <typename> typename Step, typename Number, int kGroups>
+bool runGroups(Block& block, int first, const Course& course) {
+  constexpr int kLanes = kLanesOf<Number>;
+  Group<Step<Number>, Number> groups[kGroups];
+  for (int i = 0; i < kGroups; ++i) load<Number>(block, first + i * kLanes, groups[i]);
 
   std::int64_t frames = block.frames[first];
   std::int64_t left = course.normalizeEvery;
@@ -170,38 +190,43 @@ bool runLanes(Block& block, int first, const Course& course) {
   while (frames < course.frames && !care) {
     const std::int64_t rest = course.frames - frames;
     const std::int64_t made = rest < course.framesPerLook ? rest : course.framesPerLook;
-    makeSteps(step, made * course.stepsPerFrame, course, left, state);
+    const std::int64_t steps = made * course.stepsPerFrame;
+    course.normalizeEvery == 1 ? makeSteps<true>(groups, steps, course, left)
+                               : makeSteps<false>(groups, steps, course, left);
     frames += made;
     if (!course.isWatched) continue;
-    const auto isQuiet = watched<Step<Number>>(state, frames, watch);
-    if (isAll(isQuiet)) [[likely]]
-      continue;
-    care = true;
-    storeMask(isNot(isQuiet), block.needsCare + first);
+    for (int i = 0; i < kGroups; ++i) {
+      const auto isQuiet = watched<Step<Number>>(groups[i].state, frames, groups[i].watch);
+      if (isAll(isQuiet)) [[likely]]
+        continue;
+      care = true;
+      storeMask(isNot(isQuiet), block.needsCare + first + i * kLanes);
+    }
   }
 
-  store<Number>(state, block.state, first);
-  store<Number>(watch, reinterpret_cast<Row*>(&block.watch), first);
-  for (int i = 0; i < kLanesOf<Number>; ++i) block.frames[first + i] = frames;
+  for (int i = 0; i < kGroups; ++i) store<Number>(groups[i], block, first + i * kLanes);
+  for (int i = 0; i < kLanes * kGroups; ++i) block.frames[first + i] = frames;
   return care;
 }
 
-template <template <typename> typename Step, typename Number>
+template <template <typename> typename Step, typename Number, int kGroups>
 bool run(Block& block, const Course& course) {
-  static_assert(kBlockSize % kLanesOf<Number> == 0);
+  constexpr int kLanes = kLanesOf<Number> * kGroups;
+  static_assert(kBlockSize % kLanes == 0);
   bool care = false;
-  for (int first = 0; first < kBlockSize; first += kLanesOf<Number>) {
-    if (runLanes<Step, Number>(block, first, course)) care = true;
+  for (int first = 0; first < kBlockSize; first += kLanes) {
+    if (runGroups<Step, Number, kGroups>(block, first, course)) care = true;
   }
   return care;
 }
 
-/// Returns the runs in the order of StepKind: Euler's step, the shortest, with its own number, as
-/// it waits longest for its results unless there are more at once.
-template <typename EulerNumber, typename Number>
+/// Returns the runs in the order of StepKind: Euler's step, the shortest, with its own number, and
+/// in groups, as it waits longest for its results unless there are more at once.
+template <typename EulerNumber, int kEulerGroups, typename Number>
 constexpr Kernels kernels() {
-  return {{&run<physics::EulerStep, EulerNumber>, &run<physics::RungeKutta4Step, Number>,
-           &run<physics::MidpointStep, Number>, &run<physics::MoserVeselovStep, Number>}};
+  return {{&run<physics::EulerStep, EulerNumber, kEulerGroups>,
+           &run<physics::RungeKutta4Step, Number, 1>, &run<physics::MidpointStep, Number, 1>,
+           &run<physics::MoserVeselovStep, Number, 1>}};
 }
 
 }  // namespace rotatebook::study::lanes

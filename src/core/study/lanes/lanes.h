@@ -113,5 +113,13 @@ Lanes<kWidth> rootOf(Lanes<kWidth> a) {
   for (int lane = 0; lane < kWidth; ++lane) a.v[lane] = __builtin_sqrt(a.v[lane]);
   return a;
 }
+template <int kWidth>
+bool isAnyLarger(Lanes<kWidth> x, double bound) {
+  return isAny(Lanes<kWidth>(bound) < magnitude(x));
+}
+template <int kWidth>
+Lanes<kWidth> exactProductPlus(Lanes<kWidth> a, Lanes<kWidth> b, Lanes<kWidth> c) {
+  return a * b + c;
+}
 
 }  // namespace rotatebook::study::lanes

@@ -3,6 +3,6 @@
 
 namespace rotatebook::study::lanes {
 
-const Kernels kAvx2Kernels = kernels<Pair<Pair<Lanes<4>>>, Pair<Lanes<4>>>();
+const Kernels kAvx2Kernels = kernels<Lanes<4>, 4, Pair<Lanes<4>>>();
 
 }  // namespace rotatebook::study::lanes

@@ -1,3 +1,4 @@
+#include "study/lanes/fused_avx512.h"
 #include "study/lanes/kernel.h"
 #include "study/lanes/kernels.h"
 #ifndef __clang__
@@ -6,6 +7,6 @@
 
 namespace rotatebook::study::lanes {
 
-const Kernels kAvx512Kernels = kernels<Pair<Pair<Lanes<8>>>, Pair<Lanes<8>>>();
+const Kernels kAvx512Kernels = kernels<Pair<Lanes<8>>, 2, Pair<Lanes<8>>>();
 
 }  // namespace rotatebook::study::lanes

@@ -3,6 +3,6 @@
 
 namespace rotatebook::study::lanes {
 
-const Kernels kBaseKernels = kernels<Pair<Pair<Lanes<2>>>, Pair<Lanes<2>>>();
+const Kernels kBaseKernels = kernels<Pair<Lanes<2>>, 2, Pair<Lanes<2>>>();
 
 }  // namespace rotatebook::study::lanes

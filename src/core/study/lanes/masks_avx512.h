@@ -47,6 +47,13 @@ inline void storeMask(Mask<8> mask, bool* to) {
 inline bool isAny(Mask<8> mask) {
   return mask.bits != 0;
 }
+/// Returns, body by body, the larger size of two numbers, of which a NaN is none.
+inline Lanes<8> largerSize(Lanes<8> a, Lanes<8> b) {
+  constexpr int kLargerSize = 11;  // of vrangepd
+  constexpr int kAsItIs = 4;
+  return __builtin_ia32_rangepd512_mask(a.v, b.v, kLargerSize, a.v, static_cast<unsigned char>(-1),
+                                        kAsItIs);
+}
 
 }  // namespace rotatebook::study::lanes
 

@@ -85,5 +85,26 @@ template <typename Half>
 Pair<Half> rootOf(Pair<Half> a) {
   return {rootOf(a.first), rootOf(a.second)};
 }
+template <typename Half>
+bool isAnyLarger(Pair<Half> x, double bound) {
+  if constexpr (requires { largerSize(x.first, x.second); }) {
+    return isAnyLarger(largerSize(x.first, x.second), bound);
+  } else {
+    const bool one = isAnyLarger(x.first, bound), other = isAnyLarger(x.second, bound);
+    return one || other;
+  }
+}
+template <typename Half>
+Pair<Half> exactProductPlus(Pair<Half> a, Pair<Half> b, Pair<Half> c) {
+  return {exactProductPlus(a.first, b.first, c.first),
+          exactProductPlus(a.second, b.second, c.second)};
+}
+template <typename Half>
+requires requires(Half half) {
+  inverseOfRoot(half, half);
+}
+Pair<Half> inverseOfRoot(Pair<Half> x, Pair<Half> series) {
+  return {inverseOfRoot(x.first, series.first), inverseOfRoot(x.second, series.second)};
+}
 
 }  // namespace rotatebook::study::lanes

@@ -82,7 +82,11 @@ void halfTurns(benchmark::State& state, study::lanes::InstructionSet set) {
   for (const MotionSettings& motion : motionsOf(Integrator::Euler, 0.003, 1)) {
     motions.push_back({motion, kMany, 17});
   }
-  for (auto _ : state) benchmark::DoNotOptimize(study::lanes::outcomesOf(motions, set));
+  for (auto _ : state) {
+    study::lanes::Ensemble ensemble(set);
+    for (const auto& motion : motions) ensemble.add(motion);
+    benchmark::DoNotOptimize(ensemble.finish());
+  }
   reportStep(state, kMany * static_cast<double>(motions.size()));
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <span>
+#include <utility>
 
 #include "base/error.h"
 #include "physics/simulate.h"
@@ -129,29 +129,31 @@ std::vector<double> MapRuns::Parts::pointByPoint(const MapTile& tile, Stop stop)
   const auto width = static_cast<std::size_t>(tile.width);
   const std::vector<double> across = valuesAlong(map.x, tile.left, tile.width, map.width);
   const std::vector<double> up = valuesAlong(map.y, tile.bottom, tile.height, map.height);
-  const std::size_t count = across.size() * up.size();
-  std::vector<MapRun> runs;
-  std::vector<std::optional<std::size_t>> runAt(count);  // the indices of the points' runs
-  for (std::size_t i = 0; i < count; ++i) {
-    std::optional<MapRun> run = panel.at(across[i % width], up[i / width]);
-    if (!run) continue;
+  MapValues found(plan, stop);
+  std::vector<std::optional<std::size_t>> runAt(across.size() * up.size());
+  std::vector<std::optional<MapRun>> last(width);  // of each column
+  for (std::size_t i = 0; i < runAt.size(); ++i) {
+    const std::size_t column = i % width;
+    std::optional<MapRun> run = panel.at(across[column], up[i / width]);
     // Whole numbers, and the closed form, give many points the same motion.
-    const auto isTheSame = [&](std::size_t point) {
-      return runAt[point] && runs[*runAt[point]].motion == run->motion;
+    const auto isThat = [&](const std::optional<MapRun>& other) {
+      return other && other->motion == run->motion;
     };
-    if (i % width > 0 && isTheSame(i - 1)) {
+    if (!run) {
+      // There is none.
+    } else if (column > 0 && isThat(last[column - 1])) {
       runAt[i] = runAt[i - 1];
-    } else if (i >= width && isTheSame(i - width)) {
+    } else if (isThat(last[column])) {
       runAt[i] = runAt[i - width];
     } else {
-      runAt[i] = runs.size();
-      runs.push_back(*std::move(run));
+      runAt[i] = found.add(*run);
     }
+    last[column] = std::move(run);
   }
-  const std::vector<double> found = study::valuesOf(runs, plan, stop);
-  std::vector<double> values;
-  for (const auto& index : runAt) values.push_back(index ? found[*index] : kRefused);
-  return values;
+  const std::vector<double> values = found.finish();
+  std::vector<double> all;
+  for (const auto& index : runAt) all.push_back(index ? values[*index] : kRefused);
+  return all;
 }
 
 MapRuns::MapRuns(const scene::Scene& scene)
@@ -196,7 +198,10 @@ double MapRuns::valueAt(std::size_t panel, double x, double y) const {
   MapPlan plan = parts_->plan;
   if (const auto* time = parts_->map.timeAxis()) plan.duration = time == &parts_->map.x ? x : y;
   const std::optional<MapRun> run = runs.at(x, y);
-  return run ? study::valuesOf({&*run, 1}, plan, nullptr).front() : kRefused;
+  if (!run) return kRefused;
+  MapValues value(plan, nullptr);
+  value.add(*run);
+  return value.finish().front();
 }
 
 }  // namespace rotatebook::study

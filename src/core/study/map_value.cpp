@@ -10,7 +10,6 @@
 #include "base/error.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
-#include "study/lanes/ensemble.h"
 #include "study/reduced.h"
 #include "study/run_value.h"
 #include "study/whole_motion.h"
@@ -76,22 +75,22 @@ bool countsTurns(const MapPlan& plan) {
 
 /// Looks at whole frames, so that no step is made in parts; at no more of them than anybody waits
 /// for.
-lanes::WatchedMotion watchedMotion(const MapRun& run, double duration) {
+void watch(const MapRun& run, double duration, lanes::WatchedMotion& watched) {
   constexpr double kRounding = 1e-9;
   const auto framesIn = [](double frames) {
     return static_cast<std::int64_t>(std::clamp(std::floor(frames), 0.0, 1e15));
   };
-  lanes::WatchedMotion watched{run.motion};
+  watched.motion = run.motion;
   if (run.motion.simulation.model == physics::Model::Exact) {
     // It has no steps: a look is a frame.
     watched.frames = framesIn(std::ceil(duration / run.interval - kRounding));
+    watched.framesPerLook = 1;
     watched.motion.simulation.substepped = duration / static_cast<double>(watched.frames);
-    return watched;
+    return;
   }
   const double frame = run.motion.simulation.steps().time;
   watched.frames = framesIn(duration / frame + kRounding);
   watched.framesPerLook = std::max<std::int64_t>(framesIn(run.interval / frame + 0.5), 1);
-  return watched;
 }
 
 double turnsOf(const lanes::Outcome& outcome, const MapPlan& plan) {
@@ -121,19 +120,23 @@ double ValueOverTime::at(double time) {
   return scene::valueOn(*sample, simulation_->trajectory().samples.front(), measure_);
 }
 
-std::vector<double> valuesOf(std::span<const MapRun> runs, const MapPlan& plan, Stop stop) {
-  std::vector<double> values;
-  if (!countsTurns(plan)) {
-    for (const MapRun& run : runs)
-      values.push_back(isSet(stop) ? kRefused : valueOf(run, plan, stop));
-    return values;
+MapValues::MapValues(const MapPlan& plan, Stop stop)
+    : plan_(plan), stop_(stop), ensemble_(lanes::widestSet(), stop) {}
+
+std::size_t MapValues::add(const MapRun& run) {
+  if (countsTurns(plan_)) {
+    watch(run, plan_.duration, watched_);
+    ensemble_.add(watched_);
+  } else {
+    values_.push_back(isSet(stop_) ? kRefused : valueOf(run, plan_, stop_));
   }
-  std::vector<lanes::WatchedMotion> watched;
-  for (const MapRun& run : runs) watched.push_back(watchedMotion(run, plan.duration));
-  for (const auto& outcome : lanes::outcomesOf(watched, lanes::widestSet(), stop)) {
-    values.push_back(turnsOf(outcome, plan));
-  }
-  return values;
+  return count_++;
+}
+
+std::vector<double> MapValues::finish() {
+  for (const lanes::Outcome& outcome : ensemble_.finish())
+    values_.push_back(turnsOf(outcome, plan_));
+  return values_;
 }
 
 }  // namespace rotatebook::study

@@ -1,8 +1,8 @@
 // The values of a map's runs. Inside the room only.
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "physics/measure/exact_tilt.h"
@@ -10,6 +10,7 @@
 #include "physics/simulate.h"
 #include "scene/map_settings.h"
 #include "study/execution.h"
+#include "study/lanes/ensemble.h"
 
 namespace rotatebook::study {
 
@@ -43,8 +44,24 @@ class ValueOverTime {
   std::optional<physics::Simulation> simulation_{};  // samples
 };
 
-/// Makes the runs and measures them. Returns the values, in their order, or kNever, kDiverged or
-/// kRefused. After a stop they mean nothing.
-std::vector<double> valuesOf(std::span<const MapRun> runs, const MapPlan& plan, Stop stop);
+/// The values of runs that are handed in one by one, and are made several at a time.
+class MapValues {
+ public:
+  /// After a stop the values mean nothing.
+  MapValues(const MapPlan& plan, Stop stop);
+
+  /// Takes the next run. Returns its number, from 0.
+  std::size_t add(const MapRun& run);
+  /// Returns the values of all runs, in their order, or kNever, kDiverged or kRefused.
+  std::vector<double> finish();
+
+ private:
+  MapPlan plan_;
+  Stop stop_;
+  lanes::Ensemble ensemble_;
+  lanes::WatchedMotion watched_{};
+  std::vector<double> values_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace rotatebook::study

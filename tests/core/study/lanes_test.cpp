@@ -146,6 +146,12 @@ Outcome expectedOf(const WatchedMotion& watched) {
   return result;
 }
 
+std::vector<Outcome> outcomesOf(const std::vector<WatchedMotion>& motions, InstructionSet set) {
+  Ensemble ensemble(set);
+  for (const WatchedMotion& motion : motions) ensemble.add(motion);
+  return ensemble.finish();
+}
+
 struct Seen {
   int halfTurns = 0, turned = 0, diverged = 0, refused = 0;
 };

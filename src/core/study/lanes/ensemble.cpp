@@ -1,6 +1,7 @@
 #include "study/lanes/ensemble.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -86,27 +87,34 @@ class Blocks {
     std::vector<std::size_t> indices;
     std::vector<Member> members;
   };
+  using Make = std::function<void(Waiting&)>;  // Makes the motions of a block.
 
-  // Adds the motion with an index. Returns a block that is full with it.
-  std::optional<Waiting> add(std::size_t index, const Member& member, const Course& course) {
+  explicit Blocks(Make make) : make_(std::move(make)) {}
+
+  // Adds the motion with an index.
+  void add(std::size_t index, const Member& member, const Course& course) {
     Waiting& waiting = waiting_[keyOf(member, course)];
     waiting.course = course;
     waiting.indices.push_back(index);
     waiting.members.push_back(member);
-    if (waiting.members.size() < kBlockSize) return std::nullopt;
-    return std::exchange(waiting, {});
+    if (waiting.members.size() == kBlockSize) make(waiting);
   }
 
-  // Returns the blocks that aren't full.
-  std::vector<Waiting> rest() {
-    std::vector<Waiting> rest;
+  // Makes the motions of blocks that aren't full.
+  void finish() {
     for (auto& [key, waiting] : waiting_) {
-      if (!waiting.members.empty()) rest.push_back(std::move(waiting));
+      if (!waiting.members.empty()) make(waiting);
     }
-    return rest;
   }
 
  private:
+  void make(Waiting& waiting) {
+    make_(waiting);
+    waiting.indices.clear();
+    waiting.members.clear();
+  }
+
+  Make make_;
   std::map<Key, Waiting> waiting_;
 };
 
@@ -119,23 +127,6 @@ std::optional<Member> memberOf(const MotionSettings& settings, InstructionSet se
   } catch (const InputError&) {
     return std::nullopt;
   }
-}
-
-// Makes all motions: `alone` makes one that lanes don't make, `together` a block. `motionOf` and
-// `courseOf` return those of an index.
-template <typename MotionOf, typename CourseOf, typename Alone, typename Together>
-void makeAll(std::size_t count, InstructionSet set, const MotionOf& motionOf,
-             const CourseOf& courseOf, const Alone& alone, const Together& together) {
-  Blocks blocks;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::optional<Member> member = memberOf(motionOf(i), set);
-    if (!member) {
-      alone(i);
-    } else if (auto full = blocks.add(i, *member, courseOf(i))) {
-      together(*full);
-    }
-  }
-  for (Blocks::Waiting& block : blocks.rest()) together(block);
 }
 
 // A block with its motions, the rest of its lanes at rest.
@@ -171,48 +162,72 @@ Run runOf(InstructionSet set, const std::vector<Member>& members) {
 
 }  // namespace
 
-std::vector<Outcome> outcomesOf(std::span<const WatchedMotion> motions, InstructionSet set,
-                                const std::atomic<bool>* stop) {
-  std::vector<Outcome> outcomes(motions.size());
-  const auto isStopped = [&] { return stop != nullptr && *stop; };
-  const auto motionOf = [&](std::size_t i) -> const MotionSettings& { return motions[i].motion; };
-  const auto watchedCourse = [&](std::size_t i) {
-    Course course = courseOf(motionOf(i), motions[i].frames, motions[i].framesPerLook);
+struct Ensemble::Parts {
+  Parts(InstructionSet lanes, const std::atomic<bool>* stopping)
+      : set(lanes), stop(stopping), blocks([this](Blocks::Waiting& block) { make(block); }) {}
+
+  bool isStopped() const { return stop != nullptr && *stop; }
+  void make(Blocks::Waiting& of);
+
+  InstructionSet set;
+  const std::atomic<bool>* stop;
+  Blocks blocks;
+  std::vector<Outcome> outcomes{};
+};
+
+void Ensemble::Parts::make(Blocks::Waiting& of) {
+  if (isStopped()) return;
+  const auto block = blockOf(of.members);
+  for (std::size_t i = 0; i < of.members.size(); ++i) {
+    of.members[i].start(*block, static_cast<int>(i));
+  }
+  run(*block, of.members, runOf(set, of.members), of.course);
+  for (std::size_t i = 0; i < of.members.size(); ++i) {
+    outcomes[of.indices[i]] = of.members[i].outcome(*block, static_cast<int>(i));
+  }
+}
+
+Ensemble::Ensemble(InstructionSet set, const std::atomic<bool>* stop)
+    : parts_(std::make_unique<Parts>(set, stop)) {}
+
+Ensemble::~Ensemble() = default;
+
+void Ensemble::add(const WatchedMotion& watched) {
+  std::vector<Outcome>& outcomes = parts_->outcomes;
+  outcomes.emplace_back();
+  if (parts_->isStopped()) return;
+  if (const auto member = memberOf(watched.motion, parts_->set)) {
+    Course course = courseOf(watched.motion, watched.frames, watched.framesPerLook);
     course.isWatched = true;
-    return course;
-  };
-  const auto alone = [&](std::size_t i) {
-    if (!isStopped()) outcomes[i] = outcomeOf(motions[i], stop);
-  };
-  const auto together = [&](Blocks::Waiting& of) {
-    if (isStopped()) return;
-    const auto block = blockOf(of.members);
-    for (std::size_t i = 0; i < of.members.size(); ++i) {
-      of.members[i].start(*block, static_cast<int>(i));
-    }
-    run(*block, of.members, runOf(set, of.members), of.course);
-    for (std::size_t i = 0; i < of.members.size(); ++i) {
-      outcomes[of.indices[i]] = of.members[i].outcome(*block, static_cast<int>(i));
-    }
-  };
-  makeAll(motions.size(), set, motionOf, watchedCourse, alone, together);
-  return outcomes;
+    parts_->blocks.add(outcomes.size() - 1, *member, course);
+  } else {
+    outcomes.back() = outcomeOf(watched, parts_->stop);
+  }
+}
+
+std::vector<Outcome> Ensemble::finish() {
+  parts_->blocks.finish();
+  return std::exchange(parts_->outcomes, {});
 }
 
 std::vector<BodyState> statesAfter(std::span<const MotionSettings> motions, std::int64_t frames,
                                    InstructionSet set) {
   std::vector<BodyState> states(motions.size());
-  const auto motionOf = [&](std::size_t i) -> const MotionSettings& { return motions[i]; };
-  const auto course = [&](std::size_t i) { return courseOf(motions[i], frames, 1); };
-  const auto alone = [&](std::size_t i) { states[i] = stateAfter(motions[i], frames); };
-  const auto together = [&](Blocks::Waiting& of) {
+  Blocks blocks([&](Blocks::Waiting& of) {
     const auto block = blockOf(of.members);
     run(*block, of.members, runOf(set, of.members), of.course);
     for (std::size_t i = 0; i < of.members.size(); ++i) {
       states[of.indices[i]] = of.members[i].state(*block, static_cast<int>(i));
     }
-  };
-  makeAll(motions.size(), set, motionOf, course, alone, together);
+  });
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    if (const auto member = memberOf(motions[i], set)) {
+      blocks.add(i, *member, courseOf(motions[i], frames, 1));
+    } else {
+      states[i] = stateAfter(motions[i], frames);
+    }
+  }
+  blocks.finish();
   return states;
 }
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,14 +22,25 @@ struct WatchedMotion {
   std::int64_t framesPerLook = 1;  ///< >= 1
 };
 
-/// Watches all motions, bit by bit as physics::TurnWatch does, and returns what came of each, in
-/// their order. Those of Model::Quaternion by euler, rk4, midpoint, dmv2, dmv4 and dmv6 without
-/// nudges are made several at a time, if they have the same integrator, substeps, normalizeEvery
-/// and looks: hand in some hundred of them that have. If `stop` isn't null and another thread sets
-/// it, the rest is left out, and the result must be discarded.
-std::vector<Outcome> outcomesOf(std::span<const WatchedMotion> motions,
-                                InstructionSet set = widestSet(),
-                                const std::atomic<bool>* stop = nullptr);
+/// Watches motions, bit by bit as physics::TurnWatch does. Those of Model::Quaternion by euler,
+/// rk4, midpoint, dmv2, dmv4 and dmv6 without nudges are made several at a time, if they have the
+/// same integrator, substeps, normalizeEvery and looks: hand in some hundred of them that have.
+class Ensemble {
+ public:
+  /// If `stop` isn't null and another thread sets it, the rest is left out, and the outcomes must
+  /// be discarded.
+  explicit Ensemble(InstructionSet set = widestSet(), const std::atomic<bool>* stop = nullptr);
+  ~Ensemble();
+
+  /// Takes the next motion, which may change afterwards.
+  void add(const WatchedMotion& watched);
+  /// Makes the rest. Returns what came of each motion, in their order.
+  std::vector<Outcome> finish();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// Returns the state of each motion after so many EqualSteps, bit by bit as its simulator
 /// reports it; NaN where its step failed. Throws InputError as makeSimulator() does.

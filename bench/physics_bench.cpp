@@ -58,8 +58,8 @@ void plainStep(benchmark::State& state, Model model) {
 }
 
 // Motions of a map: the tilt varies.
-std::vector<MotionSettings> motionsOf(Integrator integrator, double h, int substeps) {
-  std::vector<MotionSettings> motions(64, tumbling(Model::Quaternion, integrator));
+std::vector<MotionSettings> motionsOf(Model model, Integrator integrator, double h, int substeps) {
+  std::vector<MotionSettings> motions(64, tumbling(model, integrator));
   for (std::size_t i = 0; i < motions.size(); ++i) {
     motions[i].initial.tilt->angle = 0.01 * static_cast<double>(1 + i);
     motions[i].simulation.substeps = substeps;
@@ -68,9 +68,10 @@ std::vector<MotionSettings> motionsOf(Integrator integrator, double h, int subst
   return motions;
 }
 
-void lanes(benchmark::State& state, Integrator integrator, study::lanes::InstructionSet set) {
+void lanes(benchmark::State& state, Model model, Integrator integrator,
+           study::lanes::InstructionSet set) {
   constexpr int kMany = 10 * kSteps;
-  const auto motions = motionsOf(integrator, kStep, kMany);
+  const auto motions = motionsOf(model, integrator, kStep, kMany);
   for (auto _ : state) benchmark::DoNotOptimize(study::lanes::statesAfter(motions, 1, set));
   reportStep(state, kMany * static_cast<double>(motions.size()));
 }
@@ -79,7 +80,7 @@ void lanes(benchmark::State& state, Integrator integrator, study::lanes::Instruc
 void halfTurns(benchmark::State& state, study::lanes::InstructionSet set) {
   constexpr int kMany = 6667;
   std::vector<study::lanes::WatchedMotion> motions;
-  for (const MotionSettings& motion : motionsOf(Integrator::Euler, 0.003, 1)) {
+  for (const MotionSettings& motion : motionsOf(Model::Quaternion, Integrator::Euler, 0.003, 1)) {
     motions.push_back({motion, kMany, 17});
   }
   for (auto _ : state) {
@@ -127,8 +128,10 @@ void registerLanes() {
          {Integrator::Euler, Integrator::Rk4, Integrator::Midpoint, Integrator::Dmv6}) {
       const auto word = physics::kIntegratorNames.at(static_cast<std::size_t>(integrator));
       benchmark::RegisterBenchmark(("lanes/" + std::string(word) + "/" + name).c_str(), lanes,
-                                   integrator, set);
+                                   Model::Quaternion, integrator, set);
     }
+    benchmark::RegisterBenchmark(("lanes/matrix/euler/" + name).c_str(), lanes, Model::Matrix,
+                                 Integrator::Euler, set);
     benchmark::RegisterBenchmark(("lanes/half-turns/" + name).c_str(), halfTurns, set);
   }
 }

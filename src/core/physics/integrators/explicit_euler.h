@@ -21,14 +21,20 @@ class ExplicitEuler {
   static constexpr bool kTakesDissipation = true;
 
   ExplicitEuler(const RigidConstants& body, double h)
-      : body_(body), quaternionStep_(stepOf(body, h)), h_(h) {}
+      : body_(body), quaternionStep_(stepOf(body, h)), matrixStep_(matrixStepOf(body, h)), h_(h) {}
 
   /// Returns the step of a quaternion, of length h [s].
   static EulerStep<double> stepOf(const RigidConstants& body, double h) {
     return {toNumbers(h / 2 * body.inverseInertia)};
   }
 
+  /// Returns likewise the step of a matrix.
+  static EulerMatrixStep<double> matrixStepOf(const RigidConstants& body, double h) {
+    return {toNumbers(body.inverseInertia), h};
+  }
+
   void step(RigidState<Eigen::Matrix3d>& state) const {
+    if (body_.dissipation == 0) return takeStep(state, matrixStep_);
     const Eigen::Vector3d w = angularVelocityInWorld(body_, state.attitude, state.momentum);
     state.attitude += h_ * (rigid::crossMatrix(w) * state.attitude);
   }
@@ -44,6 +50,7 @@ class ExplicitEuler {
  private:
   RigidConstants body_;
   EulerStep<double> quaternionStep_;
+  EulerMatrixStep<double> matrixStep_;
   double h_;
 };
 

@@ -30,11 +30,19 @@ AnyStep quaternionStepOf(const RigidConstants& body, double h) {
   return Method::stepOf(body, h);
 }
 
+template <typename Method>
+AnyStep matrixStepOf(const RigidConstants& body, double h) {
+  return Method::matrixStepOf(body, h);
+}
+
 template <RigidIntegrator Method>
 constexpr Stepping rigid(std::string_view keeps, int nanoseconds, std::string_view source) {
   Stepping result{kRigid, keeps, nanoseconds, source, &makeRigidSimulator<Method>};
   if constexpr (requires(const RigidConstants& body) { Method::stepOf(body, 1.0); }) {
     result.quaternionStep = &quaternionStepOf<Method>;
+  }
+  if constexpr (requires(const RigidConstants& body) { Method::matrixStepOf(body, 1.0); }) {
+    result.matrixStep = &matrixStepOf<Method>;
   }
   result.takesDissipation = requires {
     Method::kTakesDissipation;

@@ -26,6 +26,8 @@ struct Stepping {
   /// Returns a quaternion's step of length h [s]; null if it is no template of its number type.
   /// Throws StepTooLong.
   AnyStep (*quaternionStep)(const RigidConstants& body, double h) = nullptr;
+  /// Likewise a matrix's.
+  AnyStep (*matrixStep)(const RigidConstants& body, double h) = nullptr;
   bool takesDissipation = false;  ///< Of rigid bodies: RigidConstants::dissipation.
   /// Returns the longest stable step [s] for a mode of particles of this stiffness [1/s^2] and
   /// damping [1/s]; 0 if there is none. Null for rigid bodies.

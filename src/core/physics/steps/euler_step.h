@@ -1,4 +1,4 @@
-// A step of explicit Euler.
+// Steps of explicit Euler.
 #pragma once
 
 #include "physics/steps/step_state.h"
@@ -8,6 +8,7 @@ namespace rotatebook::physics {
 /// The step of ExplicitEuler for a quaternion, with the momentum in world axes.
 template <typename Number>
 struct EulerStep {
+  using State = StepState<Number>;
   static constexpr bool kMomentumInBody = false;
 
   Vector3<Number> halfTurn;  ///< (h/2) I^-1 [1/(kg m^2/s)]
@@ -26,6 +27,23 @@ struct EulerStep {
         exactProductPlus(Number(2), squaredNorm(state.attitude), Number(-1)) * u;
     const Vector3<Number> next = (u + s * v) + cross(stretched, v);
     state.attitude = {s - dot(u, v), next.x, next.y, next.z};
+  }
+};
+
+/// The step of ExplicitEuler for a matrix A: A += h w x A, with w = A I^-1 A^T L.
+template <typename Number>
+struct EulerMatrixStep {
+  using State = MatrixState<Number>;
+  static constexpr bool kMomentumInBody = false;
+
+  Vector3<Number> inverseInertia;  ///< [1/(kg m^2)]
+  Number h;                        ///< [s]
+
+  void operator()(MatrixState<Number>& state) const {
+    Matrix3<Number>& a = state.attitude;
+    const Vector3<Number> turn =
+        h * product(a, componentProduct(inverseInertia, transposedProduct(a, state.momentum)));
+    a = {a.x + cross(turn, a.x), a.y + cross(turn, a.y), a.z + cross(turn, a.z)};
   }
 };
 

@@ -22,6 +22,7 @@ struct MidpointEquation {
 /// The step of Midpoint.
 template <typename Number>
 struct MidpointStep {
+  using State = StepState<Number>;
   static constexpr bool kMomentumInBody = true;
 
   Vector3<Number> inverseInertia;  ///< [1/(kg m^2)]

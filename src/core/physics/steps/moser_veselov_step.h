@@ -23,6 +23,7 @@ struct MoserVeselovEquation {
 /// The step of MoserVeselov, whatever its order.
 template <typename Number>
 struct MoserVeselovStep {
+  using State = StepState<Number>;
   static constexpr bool kMomentumInBody = true;
 
   Vector3<Number> half;         ///< (h/2) J^-1 [1/(kg m^2/s)]

@@ -20,6 +20,7 @@ State afterRungeKutta4(const State& state, Number h, const RateOf& rateOf) {
 /// The step of RungeKutta4 for a quaternion.
 template <typename Number>
 struct RungeKutta4Step {
+  using State = StepState<Number>;
   static constexpr bool kMomentumInBody = true;
 
   Vector3<Number> inverseInertia;  ///< [1/(kg m^2)]

@@ -14,6 +14,13 @@ struct StepState {
   Vector3<Number> carry;        ///< Like RigidState::momentumCarry. [kg m^2/s]
 };
 
+/// The state of a rigid body whose attitude is a matrix.
+template <typename Number>
+struct MatrixState {
+  Matrix3<Number> attitude;  ///< World from principal axes.
+  Vector3<Number> momentum;  ///< In world axes. [kg m^2/s]
+};
+
 /// Undoes drift: takes the nearest quaternion of unit norm.
 template <typename Number>
 [[gnu::always_inline]] inline void normalize(Quaternion<Number>& attitude) {

@@ -1,5 +1,5 @@
-// Vectors and quaternions of any type of number, for steps. Sums are in Eigen's order: whether a
-// vector is Eigen's or one of these, it has the same bits.
+// Vectors, matrices and quaternions of any type of number, for steps. Sums are in Eigen's order:
+// whether a vector is Eigen's or one of these, it has the same bits.
 #pragma once
 
 namespace rotatebook::physics {
@@ -55,12 +55,41 @@ auto isFinite(const Vector3<Number>& v) {
   const Vector3<Number> none = v - v;
   return none.x + (none.y + none.z) == Number(0);
 }
+/// Returns whether the sizes of all components are below `bound`.
+template <typename Number>
+auto isWithin(const Vector3<Number>& v, double bound) {
+  const Number most(bound);
+  return both(magnitude(v.x) < most, both(magnitude(v.y) < most, magnitude(v.z) < most));
+}
 /// Returns the largest size of a component, which must not be NaN.
 template <typename Number>
 Number largestSize(const Vector3<Number>& v) {
   const Number x = magnitude(v.x), y = magnitude(v.y), z = magnitude(v.z);
   const Number other = chosen(y < z, z, y);
   return chosen(x < other, other, x);
+}
+
+/// A matrix, by its columns.
+template <typename Number>
+struct Matrix3 {
+  Vector3<Number> x, y, z;
+};
+
+template <typename Condition, typename Number>
+Matrix3<Number> chosen(const Condition& condition, const Matrix3<Number>& yes,
+                       const Matrix3<Number>& no) {
+  return {chosen(condition, yes.x, no.x), chosen(condition, yes.y, no.y),
+          chosen(condition, yes.z, no.z)};
+}
+template <typename Number>
+Vector3<Number> product(const Matrix3<Number>& m, const Vector3<Number>& v) {
+  return {dot({m.x.x, m.y.x, m.z.x}, v), dot({m.x.y, m.y.y, m.z.y}, v),
+          dot({m.x.z, m.y.z, m.z.z}, v)};
+}
+/// Returns the product of the transposed matrix.
+template <typename Number>
+Vector3<Number> transposedProduct(const Matrix3<Number>& m, const Vector3<Number>& v) {
+  return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
 
 template <typename Number>

@@ -12,11 +12,11 @@ inline constexpr int kBlockSize = 32;
 using Row = double[kBlockSize];  ///< A number of each motion.
 
 /// The steps that there are for several bodies at once.
-enum class StepKind { Euler, RungeKutta4, Midpoint, MoserVeselov };
-inline constexpr int kStepKinds = 4;
+enum class StepKind { Euler, RungeKutta4, Midpoint, MoserVeselov, EulerMatrix };
+inline constexpr int kStepKinds = 5;
 
 inline constexpr int kStepNumbers = 10;   ///< At most, in a step's type.
-inline constexpr int kStateNumbers = 10;  ///< In a StepState.
+inline constexpr int kStateNumbers = 12;  ///< At most, in a step's state.
 
 /// Settings that a block's motions have in common.
 struct Course {
@@ -40,7 +40,7 @@ struct WatchRows {
 /// what is to be counted; the others of its group wait for it.
 struct Block {
   alignas(64) Row step[kStepNumbers];    ///< The numbers of each motion's step type.
-  alignas(64) Row state[kStateNumbers];  ///< Of each StepState<double>.
+  alignas(64) Row state[kStateNumbers];  ///< Of each step's State.
   alignas(64) WatchRows watch;
   std::int64_t frames[kBlockSize];  ///< Made so far: up to a look, or all.
   bool needsCare[kBlockSize];
@@ -60,5 +60,8 @@ struct Kernels {
 /// in code for any processor. Returns whether there is a solution.
 bool solveMidpoint(const double* equation, double* solution);
 bool solveMoserVeselov(const double* equation, double* solution);
+
+/// Takes the orthogonal matrix closest to a matrix, column by column, as rigid::polarFactor() does.
+void takePolarFactor(double* matrix);
 
 }  // namespace rotatebook::study::lanes

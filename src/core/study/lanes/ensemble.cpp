@@ -118,23 +118,43 @@ class Blocks {
   std::map<Key, Waiting> waiting_;
 };
 
-// Returns nullopt for motions that lanes don't make. What is wrong with others is reported where
-// they are made by themselves.
-std::optional<Member> memberOf(const MotionSettings& settings, InstructionSet set) {
-  if (set == InstructionSet::None) return std::nullopt;
-  try {
-    return Member::of(settings);
-  } catch (const InputError&) {
-    return std::nullopt;
+// Makes members of motions. Of those that come one after another, many differ in their steps alone.
+class Members {
+ public:
+  explicit Members(InstructionSet set) : isInLanes_(set != InstructionSet::None) {}
+
+  // Returns nullopt for motions that lanes don't make. What is wrong with others is reported where
+  // they are made by themselves.
+  std::optional<Member> of(const MotionSettings& settings) {
+    if (!isInLanes_) return std::nullopt;
+    try {
+      if (last_ && isLikeLast(settings)) return last_->withStepsOf(settings);
+      last_ = Member::of(settings);
+      if (last_) settings_ = settings;
+      return last_;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
   }
-}
+
+ private:
+  bool isLikeLast(const MotionSettings& settings) const {
+    return settings.simulation.model == settings_.simulation.model &&
+           settings.initial == settings_.initial && settings.body == settings_.body &&
+           settings.inertia == settings_.inertia;
+  }
+
+  bool isInLanes_;
+  std::optional<Member> last_{};
+  MotionSettings settings_{};  // of the last
+};
 
 // A block with its motions, the rest of its lanes at rest.
 std::unique_ptr<Block> blockOf(const std::vector<Member>& members) {
   auto block = std::make_unique<Block>();
   for (int lane = 0; lane < kBlockSize; ++lane) {
     const auto i = static_cast<std::size_t>(lane);
-    i < members.size() ? members[i].fill(*block, lane) : fillAtRest(*block, lane);
+    i < members.size() ? members[i].fill(*block, lane) : members.front().fillAtRest(*block, lane);
   }
   return block;
 }
@@ -164,13 +184,17 @@ Run runOf(InstructionSet set, const std::vector<Member>& members) {
 
 struct Ensemble::Parts {
   Parts(InstructionSet lanes, const std::atomic<bool>* stopping)
-      : set(lanes), stop(stopping), blocks([this](Blocks::Waiting& block) { make(block); }) {}
+      : set(lanes),
+        stop(stopping),
+        members(lanes),
+        blocks([this](Blocks::Waiting& block) { make(block); }) {}
 
   bool isStopped() const { return stop != nullptr && *stop; }
   void make(Blocks::Waiting& of);
 
   InstructionSet set;
   const std::atomic<bool>* stop;
+  Members members;
   Blocks blocks;
   std::vector<Outcome> outcomes{};
 };
@@ -196,7 +220,7 @@ void Ensemble::add(const WatchedMotion& watched) {
   std::vector<Outcome>& outcomes = parts_->outcomes;
   outcomes.emplace_back();
   if (parts_->isStopped()) return;
-  if (const auto member = memberOf(watched.motion, parts_->set)) {
+  if (const auto member = parts_->members.of(watched.motion)) {
     Course course = courseOf(watched.motion, watched.frames, watched.framesPerLook);
     course.isWatched = true;
     parts_->blocks.add(outcomes.size() - 1, *member, course);
@@ -220,8 +244,9 @@ std::vector<BodyState> statesAfter(std::span<const MotionSettings> motions, std:
       states[of.indices[i]] = of.members[i].state(*block, static_cast<int>(i));
     }
   });
+  Members members(set);
   for (std::size_t i = 0; i < motions.size(); ++i) {
-    if (const auto member = memberOf(motions[i], set)) {
+    if (const auto member = members.of(motions[i])) {
       blocks.add(i, *member, courseOf(motions[i], frames, 1));
     } else {
       states[i] = stateAfter(motions[i], frames);

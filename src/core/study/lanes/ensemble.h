@@ -23,8 +23,9 @@ struct WatchedMotion {
 };
 
 /// Watches motions, bit by bit as physics::TurnWatch does. Those of Model::Quaternion by euler,
-/// rk4, midpoint, dmv2, dmv4 and dmv6 without nudges are made several at a time, if they have the
-/// same integrator, substeps, normalizeEvery and looks: hand in some hundred of them that have.
+/// rk4, midpoint, dmv2, dmv4 and dmv6, and of Model::Matrix by euler, are made several at a time if
+/// they have no nudges, and the same integrator, substeps, normalizeEvery and looks: hand in some
+/// hundred of them that have.
 class Ensemble {
  public:
   /// If `stop` isn't null and another thread sets it, the rest is left out, and the outcomes must

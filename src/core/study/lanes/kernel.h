@@ -5,6 +5,7 @@
 #include "physics/steps/euler_step.h"
 #include "physics/steps/midpoint_step.h"
 #include "physics/steps/moser_veselov_step.h"
+#include "physics/steps/polar_factor.h"
 #include "physics/steps/runge_kutta_step.h"
 #include "study/lanes/block.h"
 #include "study/lanes/lanes.h"
@@ -12,6 +13,9 @@
 
 namespace rotatebook::study::lanes {
 
+using physics::Matrix3;
+using physics::MatrixState;
+using physics::Quaternion;
 using physics::StepState;
 using physics::Vector3;
 
@@ -77,6 +81,41 @@ struct SolvedOrNan {
   }
 };
 
+/// Takes those polar factors one by one that haven't been found.
+template <typename Number>
+struct FactoredOneByOne {
+  template <typename Condition>
+  [[gnu::noinline]] Matrix3<Number> operator()(const Matrix3<Number>& map,
+                                               const Matrix3<Number>& found,
+                                               const Condition& isLeft) const {
+    constexpr int kLanes = kLanesOf<Number>;
+    double maps[9][kLanes], factors[9][kLanes];
+    bool isMissing[kLanes];
+    __builtin_memcpy(maps, &map, sizeof(maps));
+    __builtin_memcpy(factors, &found, sizeof(factors));
+    storeMask(isLeft, isMissing);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (!isMissing[lane]) continue;
+      double one[9];
+      for (int i = 0; i < 9; ++i) one[i] = maps[i][lane];
+      takePolarFactor(one);
+      for (int i = 0; i < 9; ++i) factors[i][lane] = one[i];
+    }
+    Matrix3<Number> result;
+    __builtin_memcpy(&result, factors, sizeof(factors));
+    return result;
+  }
+};
+
+template <typename Number>
+[[gnu::always_inline]] inline void undoDrift(Quaternion<Number>& attitude) {
+  normalize(attitude);
+}
+template <typename Number>
+[[gnu::always_inline]] inline void undoDrift(Matrix3<Number>& attitude) {
+  physics::takePolarFactor(attitude, FactoredOneByOne<Number>{});
+}
+
 /// Numbers that are watched at each look: WatchRows.
 template <typename Number>
 struct Watch {
@@ -86,8 +125,8 @@ struct Watch {
   /// Returns for which bodies it is certain on which side of 60 and 120 degrees the tilt is, where
   /// half of the momentum is along the spun axis. Takes its part along it, with its sign, and all
   /// of it, squared.
-  auto isCertain(Number squaredNormOfAttitude, Number signedSquare, Number square) const {
-    const auto isUnit = magnitude(squaredNormOfAttitude - Number(1)) < Number(1e-8);
+  auto isCertain(Number strain, Number signedSquare, Number square) const {
+    const auto isUnit = strain < Number(1e-8);
     const auto isInRange = both(Number(1e-280) < square, square < Number(1e250));
     const Number distance = magnitude(magnitude(signedSquare) - Number(0.25) * square);
     return both(both(isUnit, isInRange), Number(1e-6) * square < distance);
@@ -107,8 +146,8 @@ struct Watch {
   }
 };
 
-template <typename Step, typename Number>
-[[gnu::always_inline]] inline void take(const Step& step, StepState<Number>& state) {
+template <typename Number, typename Step>
+[[gnu::always_inline]] inline void take(const Step& step, typename Step::State& state) {
   if constexpr (requires { step(state); }) {
     step(state);
   } else {
@@ -116,7 +155,25 @@ template <typename Step, typename Number>
   }
 }
 
+/// Returns how far the attitude is from a rotation.
+template <typename Number>
+Number strainOf(const Quaternion<Number>& attitude) {
+  return magnitude(squaredNorm(attitude) - Number(1));
+}
+template <typename Number>
+Number strainOf(const Matrix3<Number>& a) {
+  const Number one(1);
+  const Vector3<Number> lengths{squaredNorm(a.x) - one, squaredNorm(a.y) - one,
+                                squaredNorm(a.z) - one};
+  const Vector3<Number> skews{dot(a.x, a.y), dot(a.y, a.z), dot(a.z, a.x)};
+  return largestSize(lengths) + largestSize(skews);
+}
+
 /// Returns A^T L of the momentum L in world axes.
+template <typename Number>
+Vector3<Number> turnedToBody(const MatrixState<Number>& state) {
+  return transposedProduct(state.attitude, state.momentum);
+}
 template <typename Number>
 Vector3<Number> turnedToBody(const StepState<Number>& state) {
   const Vector3<Number> u = state.attitude.vec();
@@ -128,7 +185,7 @@ Vector3<Number> turnedToBody(const StepState<Number>& state) {
 template <typename OfStep, typename Number>
 struct Group {
   OfStep step;
-  StepState<Number> state;
+  typename OfStep::State state;
   Watch<Number> watch;
 };
 
@@ -145,7 +202,7 @@ void store(const Group& group, Block& block, int first) {
 }
 
 /// Makes steps, of which `left` are left to the next normalisation, or each of which ends with one.
-template <bool kNormalizesEach, int kGroups, typename Group>
+template <typename Number, bool kNormalizesEach, int kGroups, typename Group>
 [[gnu::always_inline]] inline void makeSteps(Group (&groups)[kGroups], std::int64_t count,
                                              const Course& course, std::int64_t& left) {
   for (std::int64_t made = 0; made < count; ++made) {
@@ -153,22 +210,22 @@ template <bool kNormalizesEach, int kGroups, typename Group>
     if (isDue) left = course.normalizeEvery;
 #pragma GCC unroll 4
     for (Group& group : groups) {
-      take(group.step, group.state);
-      if (isDue) normalize(group.state.attitude);
+      take<Number>(group.step, group.state);
+      if (isDue) undoDrift(group.state.attitude);
     }
   }
 }
 
 /// Looks at a state after so many frames. Returns for which bodies nothing needs care.
 template <typename Step, typename Number>
-[[gnu::always_inline]] inline auto watched(const StepState<Number>& state, std::int64_t frames,
+[[gnu::always_inline]] inline auto watched(const typename Step::State& state, std::int64_t frames,
                                            Watch<Number>& watch) {
   Vector3<Number> inBody = state.momentum;
   if constexpr (!Step::kMomentumInBody) inBody = turnedToBody(state);
   const Number square = squaredNorm(state.momentum);
   const Number along = dot(watch.spunAxis, inBody);
   const Number signedSquare = along * magnitude(along);
-  const auto isQuiet = watch.isCertain(squaredNorm(state.attitude), signedSquare, square);
+  const auto isQuiet = watch.isCertain(strainOf(state.attitude), signedSquare, square);
   const Number next = watch.nextSide(signedSquare, square);
   watch.countTo(isAll(isQuiet) ? next : chosen(isQuiet, next, watch.side),
                 Number(static_cast<double>(frames)));
@@ -191,8 +248,8 @@ bool runGroups(Block& block, int first, const Course& course) {
     const std::int64_t rest = course.frames - frames;
     const std::int64_t made = rest < course.framesPerLook ? rest : course.framesPerLook;
     const std::int64_t steps = made * course.stepsPerFrame;
-    course.normalizeEvery == 1 ? makeSteps<true>(groups, steps, course, left)
-                               : makeSteps<false>(groups, steps, course, left);
+    course.normalizeEvery == 1 ? makeSteps<Number, true>(groups, steps, course, left)
+                               : makeSteps<Number, false>(groups, steps, course, left);
     frames += made;
     if (!course.isWatched) continue;
     for (int i = 0; i < kGroups; ++i) {
@@ -226,7 +283,7 @@ template <typename EulerNumber, int kEulerGroups, typename Number>
 constexpr Kernels kernels() {
   return {{&run<physics::EulerStep, EulerNumber, kEulerGroups>,
            &run<physics::RungeKutta4Step, Number, 1>, &run<physics::MidpointStep, Number, 1>,
-           &run<physics::MoserVeselovStep, Number, 1>}};
+           &run<physics::MoserVeselovStep, Number, 1>, &run<physics::EulerMatrixStep, Number, 1>}};
 }
 
 }  // namespace rotatebook::study::lanes

@@ -12,7 +12,7 @@ namespace rotatebook::study::lanes {
 namespace {
 
 using physics::BodyState;
-using physics::StepState;
+using physics::RigidMotion;
 
 static_assert(std::variant_size_v<physics::AnyStep> == kStepKinds);
 
@@ -23,14 +23,20 @@ void scatter(const Value& value, Row* rows, int lane) {
   for (std::size_t i = 0; i < numbers.size(); ++i) rows[i][lane] = numbers[i];
 }
 
-StepState<double> stateIn(const Row* rows, int lane) {
-  std::array<double, kStateNumbers> numbers;
+RigidMotion::State stateIn(const Row* rows, int lane) {
+  static_assert(physics::kMostStateNumbers == kStateNumbers);
+  RigidMotion::State numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rows[i][lane];
-  return std::bit_cast<StepState<double>>(numbers);
+  return numbers;
 }
 
 void scatterVector(const Eigen::Vector3d& v, Row* rows, int lane) {
   for (int i = 0; i < 3; ++i) rows[i][lane] = v[i];
+}
+
+bool hasSolver(std::size_t kind) {
+  return kind == static_cast<std::size_t>(StepKind::Midpoint) ||
+         kind == static_cast<std::size_t>(StepKind::MoserVeselov);
 }
 
 bool isOrdinary(double number) {
@@ -41,14 +47,23 @@ bool isOrdinary(double number) {
 }  // namespace
 
 std::optional<Member> Member::of(const physics::MotionSettings& settings) {
-  const auto motion = physics::QuaternionMotion::of(settings);
+  const auto motion = RigidMotion::of(settings);
   if (!motion) return std::nullopt;
   Member member(settings, *motion);
   if (!member.hasOrdinaryNumbers()) return std::nullopt;
   return member;
 }
 
-Member::Member(const physics::MotionSettings& settings, const physics::QuaternionMotion& motion)
+std::optional<Member> Member::withStepsOf(const physics::MotionSettings& settings) const {
+  const auto motion = motion_.withStepsOf(settings);
+  if (!motion) return std::nullopt;
+  Member member = *this;
+  member.interval_ = settings.simulation.steps().time;
+  member.motion_ = *motion;
+  return member;
+}
+
+Member::Member(const physics::MotionSettings& settings, const RigidMotion& motion)
     : body_(settings.body),
       interval_(settings.simulation.steps().time),
       motion_(motion),
@@ -56,8 +71,7 @@ Member::Member(const physics::MotionSettings& settings, const physics::Quaternio
 
 bool Member::hasOrdinaryNumbers() const {
   const Eigen::Vector3d& moments = motion_.inertia().moments;
-  const auto momentum = motion_.start().momentum;
-  bool isAll = isOrdinary(std::sqrt(squaredNorm(momentum)));
+  bool isAll = isOrdinary(std::sqrt(motion_.momentum().squaredNorm()));
   for (int i = 0; i < 3; ++i) isAll = isAll && isOrdinary(moments[i]) && isOrdinary(body_.size[i]);
   return isAll;
 }
@@ -80,15 +94,13 @@ void Member::start(Block& block, int lane) const {
 }
 
 void Member::attend(Block& block, int lane) {
-  const StepState<double> numbers = stateIn(block.state, lane);
-  const BodyState state = motion_.stateOf(numbers);
+  const BodyState state = this->state(block, lane);
   if (!hasBlownUp(state, body_)) {
     count(block, lane, state);
     return;
   }
   // Solvers find finite numbers.
-  outcome_.isRefused =
-      stepKind() >= static_cast<std::size_t>(StepKind::Midpoint) && !isFinite(numbers.momentum);
+  outcome_.isRefused = hasSolver(stepKind()) && !state.angularMomentum.allFinite();
   if (!outcome_.isRefused) outcome_.divergedAt = timeOf(static_cast<double>(block.frames[lane]));
   // Leave the lane, but for its counts, to a body at rest.
   fillAtRest(block, lane);
@@ -125,14 +137,11 @@ BodyState Member::state(const Block& block, int lane) const {
   return motion_.stateOf(stateIn(block.state, lane));
 }
 
-void fillAtRest(Block& block, int lane) {
+void Member::fillAtRest(Block& block, int lane) const {
   for (Row& row : block.step) row[lane] = 0;
-  for (Row& row : block.state) row[lane] = 0;
   block.step[kStepNumbers - 1][lane] = 1;  // A length of a step, by which some divide.
-  // Point the momentum along the spun axis, where it stays: the body doesn't turn.
-  block.state[0][lane] = 1;
-  block.state[4][lane] = 1;
-  scatterVector({1, 0, 0}, block.watch.spunAxis, lane);
+  scatter(motion_.rest(), block.state, lane);
+  scatterVector({1, 0, 0}, block.watch.spunAxis, lane);  // The momentum's, which stays.
   block.watch.side[lane] = 1;
   block.hasEnded[lane] = true;
 }

@@ -8,7 +8,7 @@
 
 #include "physics/measure/measurement.h"
 #include "physics/motion_settings.h"
-#include "physics/steps/quaternion_motion.h"
+#include "physics/steps/rigid_motion.h"
 #include "study/lanes/block.h"
 #include "study/lanes/outcome.h"
 
@@ -20,13 +20,18 @@ class Member {
  public:
   /// Returns nullopt for motions that lanes don't make, or whose numbers are so large or small that
   /// lanes might not notice where they leave the range of doubles. Throws as
-  /// QuaternionMotion::of().
+  /// RigidMotion::of().
   static std::optional<Member> of(const physics::MotionSettings& settings);
+  /// Returns the motion with other steps, as RigidMotion::withStepsOf() does.
+  std::optional<Member> withStepsOf(const physics::MotionSettings& settings) const;
 
   std::size_t stepKind() const { return motion_.step().index(); }
 
   /// Fills a lane with the state at t = 0.
   void fill(Block& block, int lane) const;
+  /// Fills a lane with a body that doesn't turn and needs no care, but keeps its count of
+  /// half-turns.
+  void fillAtRest(Block& block, int lane) const;
   /// Looks at the motion's start, as lanes look at it later.
   void start(Block& block, int lane) const;
   /// Looks at the frame that the lane is at.
@@ -36,7 +41,7 @@ class Member {
   physics::BodyState state(const Block& block, int lane) const;
 
  private:
-  Member(const physics::MotionSettings& settings, const physics::QuaternionMotion& motion);
+  Member(const physics::MotionSettings& settings, const physics::RigidMotion& motion);
 
   bool hasOrdinaryNumbers() const;
   double timeOf(double frame) const { return frame * interval_; }
@@ -44,12 +49,9 @@ class Member {
 
   body::Cuboid body_;
   double interval_;  // a frame's [s]
-  physics::QuaternionMotion motion_;
+  physics::RigidMotion motion_;
   Eigen::Vector3d spunAxis_;  // in body axes
   Outcome outcome_;
 };
-
-/// Fills a lane with a body that doesn't turn and needs no care, but keeps its count of half-turns.
-void fillAtRest(Block& block, int lane);
 
 }  // namespace rotatebook::study::lanes

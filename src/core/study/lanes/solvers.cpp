@@ -1,10 +1,13 @@
-// Steps that lanes leave to Newton's method.
+// Steps that lanes leave to Newton's method, and matrices that they leave to an SVD.
 #include <array>
 #include <bit>
 #include <cstring>
 #include <optional>
 
+#include <Eigen/Core>
+
 #include "physics/steps/branch.h"
+#include "rigid/rotation.h"
 #include "study/lanes/block.h"
 
 namespace rotatebook::study::lanes {
@@ -27,6 +30,11 @@ bool solveMidpoint(const double* equation, double* solution) {
 
 bool solveMoserVeselov(const double* equation, double* solution) {
   return solveEquation<physics::MoserVeselovEquation<double>>(equation, solution);
+}
+
+void takePolarFactor(double* matrix) {
+  Eigen::Map<Eigen::Matrix3d> map(matrix);
+  map = rigid::polarFactor(map);
 }
 
 }  // namespace rotatebook::study::lanes

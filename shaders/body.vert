@@ -7,10 +7,12 @@ layout(location = 1) in vec3 unitNormal;    // A covector of the same cube.
 layout(location = 2) in vec2 vertexTexCoord;
 layout(location = 3) in float vertexSkyVisibility;  // Share of the surroundings visible from here.
 layout(location = 4) in float vertexSurfaceId;  // Number of the smooth side the vertex belongs to.
-layout(location = 5) in vec3 rolledOut;  // Position in the picture of strips; z is 0 elsewhere.
+layout(location = 5) in vec3 vertexAway;  // Covector away from what hides the surroundings.
+layout(location = 6) in vec3 rolledOut;  // Position in the picture of strips; z is 0 elsewhere.
 
 uniform vec3 cage[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
+uniform vec3 beside;  // Share of light that is scattered by what hides the surroundings.
 
 out vec2 texCoord;
 out vec3 diffuseLight;   // Irradiance / pi. Linear.
@@ -19,6 +21,8 @@ out vec3 worldNormal;
 out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
 flat out float surfaceId;
+
+const float kLean = 1.28;  // Toward the middle of half the surroundings, where half is hidden.
 
 void main() {
   // Interpolate the cage trilinearly: its four edges along x, then two lines along y, then z
@@ -33,18 +37,25 @@ void main() {
                     mix(cage[5] - cage[4], cage[7] - cage[6], y), z);
   vec3 alongY = mix(edge10 - edge00, edge11 - edge01, z);
   vec3 alongZ = front - back;
-  vec3 normal = normalize(unitNormal.x * cross(alongY, alongZ) +
-                          unitNormal.y * cross(alongZ, alongX) +
-                          unitNormal.z * cross(alongX, alongY));
+  mat3 cofactors = mat3(cross(alongY, alongZ), cross(alongZ, alongX), cross(alongX, alongY));
   // Light the visible side of an inside-out book
-  if (dot(alongX, cross(alongY, alongZ)) < 0.0) normal = -normal;
+  if (dot(alongX, cofactors[0]) < 0.0) cofactors = -cofactors;
+  vec3 normal = normalize(cofactors * unitNormal);
 
   texCoord = vertexTexCoord;
   worldNormal = normal;
   cubePosition = unitPosition;
   skyVisibility = vertexSkyVisibility;
   surfaceId = vertexSurfaceId;
-  diffuseLight = scatteredLight(normal) * vertexSkyVisibility;
+  if (vertexSkyVisibility == 1.0) {
+    diffuseLight = scatteredLight(normal);
+  } else {
+    // Light from what is seen, and from what hides the rest, which faces away
+    vec3 away = cofactors * vertexAway;
+    away *= inversesqrt(max(dot(away, away), 1e-30));
+    vec3 seen = normalize(normal + kLean * length(vertexAway) * away);
+    diffuseLight = mix(beside * scatteredLight(away), scatteredLight(seen), vertexSkyVisibility);
+  }
   gl_Position = rolledOut.z > 0.0 ? vec4(rolledOut.xy, 0.0, 1.0)
                                   : clipFromWorld * vec4(worldPosition, 1.0);
 }

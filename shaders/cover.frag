@@ -10,6 +10,7 @@ flat in float surfaceId;
 
 uniform sampler2D albedo;
 uniform vec3 eye;  // World. [m]
+uniform vec3 beside;  // As body.vert has it.
 uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
 out vec4 colour;  // Encoded as sRGB; alpha: surfaceId / 255.
@@ -18,8 +19,7 @@ vec3 pixelColour(vec3 radiance);
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
-const float kClothSheen = 0.6;  // Factor of keyHighlight().
-const float kMinViewCosine = 0.25;  // Fibres keep cloth from mirroring more at grazing angles.
+const float kMinViewCosine = 0.05;
 const float kStampDepth = 1.2e-4;  // Depth of the gold in the cloth. [m]
 
 // Returns how golden a colour is, 0 to 1: gold has much less blue than red, and much green.
@@ -37,10 +37,12 @@ void main() {
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   float cloth = widenedRoughness(kClothRoughness, worldNormal);
   float roughness = mix(cloth, kGoldRoughness, gold);
-  vec3 reflectance = mix(vec3(kDielectric), base, gold);
   vec3 mirrored = reflect(-toEye, normal);
-  vec3 shine = studio(mirrored, normal, roughness) * mirroredShare(reflectance, roughness, nv);
-  shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
-  vec3 radiance = (1.0 - 0.65 * gold) * base * diffuseLight + skyVisibility * shine;
+  // A side beside the leaves shows them, seen from most places.
+  float seen = skyVisibility * skyVisibility;
+  vec3 light = mix(1.4 * beside * diffuseLight, studio(mirrored, normal, roughness), seen);
+  vec3 share = metalShare(base, kGoldRoughness, nv);
+  share = mix(vec3(dielectricShare(cloth, nv)), share, gold);
+  vec3 radiance = (1.0 - gold) * base * diffuseLight + light * share;
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

@@ -70,9 +70,8 @@ void main() {
   // An interpolated normal may point away from the eye where the side hardly does.
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   rough = widenedRoughness(rough, worldNormal);
-  vec3 reflectance = mix(vec3(kDielectric), base, metal);
-  vec3 shine = studio(reflect(-toEye, normal), normal, rough) * mirroredShare(reflectance, rough, nv);
-  shine += (1.0 - metal) * keyHighlight(normal, toEye, nv, rough);
+  vec3 share = mix(vec3(dielectricShare(rough, nv)), metalShare(base, rough, nv), metal);
+  vec3 shine = studio(reflect(-toEye, normal), normal, rough) * share;
   vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

@@ -37,7 +37,7 @@ Json materialJson(const body::Material& material, const Eigen::Vector3d& size, s
           {"contrastAndRelief", std::array{grain.contrast, grain.relief}}};
 }
 
-/// Returns the vertices as 10 floats each.
+/// Returns the vertices as 13 floats each.
 std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices) {
   std::vector<float> floats;
   const auto append = [&floats](const auto& vector) {
@@ -49,6 +49,7 @@ std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices) {
     append(vertex.texCoord);
     floats.push_back(vertex.skyVisibility);
     floats.push_back(vertex.surfaceId);
+    append(vertex.away);
   }
   return floats;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -12,7 +13,10 @@
 
 namespace rotatebook::bridge {
 
-/// The book's mesh: vertices as 10 floats each, and the indices of each part.
+/// Numbers of each vertex.
+inline constexpr std::size_t kVertexFloats = 13;
+
+/// The book's mesh: vertices as kVertexFloats each, and the indices of each part.
 struct BookMesh {
   std::vector<float> vertices;
   std::array<std::vector<std::uint16_t>, geometry::kBookPartCount> indices;

@@ -191,7 +191,7 @@ std::int32_t rb_record(rb_context* context, std::int32_t length) {
 }
 
 const float* rb_mesh_vertices(rb_context* /*context*/, std::int32_t* count) {
-  *count = static_cast<std::int32_t>(bookMesh().vertices.size() / 10);
+  *count = static_cast<std::int32_t>(bookMesh().vertices.size() / kVertexFloats);
   return bookMesh().vertices.data();
 }
 

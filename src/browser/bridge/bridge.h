@@ -150,10 +150,10 @@ double rb_clip_offset(rb_context* context);
 /// negative with the message.
 std::int32_t rb_record(rb_context* context, std::int32_t length);
 
-/// Returns the address of the book's mesh: `count[0]` vertices of 10 floats (position in the unit
-/// cube, normal, texture coordinate, sky visibility, surface number), and by rb_mesh_indices() the
-/// indices of part `part` (front, spine, back, pages, lining), three a triangle; null, and 0 of
-/// them, of another part.
+/// Returns the address of the book's mesh: `count[0]` vertices of 13 floats (position in the unit
+/// cube, normal, texture coordinate, sky visibility, surface number, MeshVertex::away), and by
+/// rb_mesh_indices() the indices of part `part` (front, spine, back, pages, lining), three a
+/// triangle; null, and 0 of them, of another part.
 const float* rb_mesh_vertices(rb_context* context, std::int32_t* count);
 const std::uint16_t* rb_mesh_indices(rb_context* context, std::int32_t part, std::int32_t* count);
 
@@ -163,7 +163,7 @@ const std::uint16_t* rb_mesh_indices(rb_context* context, std::int32_t part, std
 /// are surface.frag's. A mesh whose file wasn't taken is a box of its size. Positive length, or
 /// negative with the message.
 std::int32_t rb_body(rb_context* context, std::int32_t slot, std::int32_t motion);
-/// Return the addresses of the vertices, 10 floats each as rb_mesh_vertices() has them, and of the
+/// Return the addresses of the vertices, 13 floats each as rb_mesh_vertices() has them, and of the
 /// indices of the body of the last rb_body().
 const float* rb_body_vertices(rb_context* context);
 const std::uint32_t* rb_body_indices(rb_context* context);

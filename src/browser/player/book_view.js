@@ -11,7 +11,7 @@ const kSharper = "#define texture(sampler, place) texture(sampler, place, -0.5)\
 const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
 const kWall = [25 / 255, 28 / 255, 34 / 255];  // The edge of studio.frag's.
 const kLightShare = 0.45;  // Of the dark wall, which is taken from white in the light look.
-const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
+const kAttributes = [3, 3, 2, 1, 1, 3];  // Floats of each, as in body.vert.
 const kSamples = 4;     // Of a pixel near a book.
 const kBesideBook = 2;  // In its box. [pixels]
 
@@ -102,7 +102,7 @@ class BookView {
     for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");
     this.noVertices = gl.createVertexArray();
     this.#makeLayers();
-    this.cloth = null;
+    this.setCloth(null);
     this.setBodies(this.bodies?.map((body) => body?.mesh ?? null) ?? []);
   }
 
@@ -135,7 +135,7 @@ class BookView {
     let offset = 0;
     kAttributes.forEach((size, index) => {
       gl.enableVertexAttribArray(index);
-      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 40, 4 * offset);
+      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 52, 4 * offset);
       offset += size;
     });
   }
@@ -176,6 +176,7 @@ class BookView {
 
   /** Plain cloth of a colour [0 to 1] in place of the built-in covers; null for these. */
   setCloth(colour) {
+    this.scatteredByCloth = (colour ?? [0.45, 0.08, 0.11]).map((part) => part ** 2);
     this.cloth = colour && this.gl && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
   }
 
@@ -313,10 +314,12 @@ class BookView {
     gl.bindVertexArray(this.book);
     this.#use(this.cover, book);
     gl.uniform3fv(this.cover.place("eye"), book.eye);
+    gl.uniform3fv(this.cover.place("beside"), [0.52, 0.45, 0.33]);
     gl.uniform1i(this.cover.place("plainCloth"), this.cloth ? 1 : 0);
     for (const part of ["front", "spine", "back"]) this.#drawPart(part, this.cloth ?? this.textures[part]);
     if (winding === 0) this.#drawPart("lining", this.cloth ?? this.textures.front);
     this.#use(this.paper, book);
+    gl.uniform3fv(this.paper.place("beside"), this.scatteredByCloth);
     this.#drawPart("pages", this.textures.paper);
   }
 

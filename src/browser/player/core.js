@@ -96,7 +96,7 @@ class Core {
     const body = JSON.parse(this.#text(this.#call("body", slot, motion)));
     if (!body) return null;
     const copied = (address, length) => this.module.HEAPU8.slice(address, address + 4 * length).buffer;
-    return {parts: body.parts, vertices: new Float32Array(copied(this.#call("body_vertices"), 10 * body.vertices)),
+    return {parts: body.parts, vertices: new Float32Array(copied(this.#call("body_vertices"), 13 * body.vertices)),
       indices: new Uint32Array(copied(this.#call("body_indices"), body.indices))};
   }
 
@@ -194,7 +194,7 @@ class Core {
     const heap = this.module.HEAPU8.buffer, count = this.buffer;
     const counted = () => new Int32Array(heap, count, 1)[0];
     const vertices = this.#call("mesh_vertices", count);
-    const mesh = {vertices: new Float32Array(heap.slice(vertices, vertices + 40 * counted())), parts: {}};
+    const mesh = {vertices: new Float32Array(heap.slice(vertices, vertices + 52 * counted())), parts: {}};
     kParts.forEach((name, part) => {
       const indices = this.#call("mesh_indices", part, count);
       mesh.parts[name] = new Uint16Array(heap.slice(indices, indices + 2 * counted()));

@@ -152,8 +152,12 @@ class MeshMaker {
       const Vector3d unit =
           surface_.mesh.points[pointOf(i)].cwiseQuotient(size_) + Vector3d::Constant(0.5);
       const int colour = colours[patches_.of(i / 3)];
-      const MeshVertex vertex{unit.cast<float>(), covectorOf(normals[corner]), texCoordOf(i), 1,
-                              static_cast<float>(1 + kColours * cellOf(unit) + colour)};
+      const MeshVertex vertex{unit.cast<float>(),
+                              covectorOf(normals[corner]),
+                              texCoordOf(i),
+                              1,
+                              static_cast<float>(1 + kColours * cellOf(unit) + colour),
+                              Eigen::Vector3f::Zero()};
       std::vector<std::uint32_t>& known = verticesOf[corner];
       const auto same = std::ranges::find_if(known, [&](std::uint32_t index) {
         return mesh.vertices[index].texCoord == vertex.texCoord;

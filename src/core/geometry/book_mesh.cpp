@@ -11,6 +11,7 @@
 
 #include <Eigen/Geometry>
 
+#include "geometry/book_light.h"
 #include "geometry/book_profile.h"
 #include "geometry/mesh_steps.h"
 
@@ -21,10 +22,8 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr BookDimensions kBook;
-constexpr float kRim = 0.004F;  // Texture coordinate whose cloth the inner sides show.
-constexpr float kInsideSkyVisibility = 0.32F;  // Where boards and pages meet.
-constexpr float kEdgeSkyVisibility = 0.8F;     // On the inner side's rim.
-constexpr float kHollow = 3;                   // Depth of the fore edge's inward curve. [mm]
+constexpr float kRim = 0.004F;               // Texture coordinate whose cloth the inner sides show.
+constexpr float kHollow = 3;                 // Depth of the fore edge's inward curve. [mm]
 constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
 constexpr float kLeavesPerHeight = 4;        // Repeats along it, per height of the book.
 
@@ -46,7 +45,7 @@ struct SidePoint {
   Vector3f position;  // [mm]
   Vector3f normal;    // Of unit length.
   Vector2f texCoord{0, 0};
-  float skyVisibility = 1;
+  Outlook outlook{};
   bool againstLeaves = false;
 };
 
@@ -96,14 +95,22 @@ constexpr GridLine column(int j) {
 }
 
 SidePoint midpoint(const SidePoint& a, const SidePoint& b) {
-  return {(a.position + b.position) / 2, (a.normal + b.normal).normalized(),
-          (a.texCoord + b.texCoord) / 2, (a.skyVisibility + b.skyVisibility) / 2};
+  return {(a.position + b.position) / 2,
+          (a.normal + b.normal).normalized(),
+          (a.texCoord + b.texCoord) / 2,
+          {(a.outlook.skyVisibility + b.outlook.skyVisibility) / 2,
+           (a.outlook.away + b.outlook.away) / 2}};
 }
 
 MeshVertex vertexOf(const SidePoint& point, int surfaceId) {
   const Vector3f size(kBook.width, kBook.height, kBook.thickness);
-  return {point.position.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
-          point.texCoord, point.skyVisibility, static_cast<float>(surfaceId)};
+  const Vector3f& away = point.outlook.away;
+  return {point.position.cwiseQuotient(size),
+          point.normal.cwiseProduct(size).normalized(),
+          point.texCoord,
+          point.outlook.skyVisibility,
+          static_cast<float>(surfaceId),
+          away.norm() * away.cwiseProduct(size).normalized()};
 }
 
 class MeshBuilder {
@@ -245,7 +252,7 @@ void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
         return {inSpace(xz, station(j).y),
                 inSpace(std::sqrt(1 - lean * lean) * point(i).normal, lean),
                 {texCoordU(part, point(i).outside), station(j).y / kBook.height},
-                point(i).skyVisibility};
+                {point(i).skyVisibility}};
       },
       [&](int i, int j) {
         return surfaceIdOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
@@ -292,7 +299,7 @@ void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
         return {inSpace(point.inside, y),
                 spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
                 {0.5F, kRim},
-                atRim ? kEdgeSkyVisibility : kInsideSkyVisibility,
+                outlookBesideLeaves(kBook, point.inside.x(), y),
                 !atRim};
       },
       always(surfaceIdOf(part, Kind::Inner)),
@@ -315,13 +322,6 @@ void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint
   addEnd(builder, part, profile, true);
 }
 
-/// `i`: of the lines MeshSteps::acrossLeaves, of which there are `count`.
-float skyVisibilityAcross(std::size_t i, std::size_t count) {
-  const std::size_t fromEnd = std::min(i, count - 1 - i);
-  if (fromEnd == 0) return kInsideSkyVisibility;
-  return fromEnd == 1 ? 0.7F : 1;
-}
-
 /// Returns z of a grid line at this share of the page block's thickness. [mm]
 float acrossLeaves(float share) {
   return kBook.board + share * (kBook.thickness - 2 * kBook.board);
@@ -342,10 +342,12 @@ void addForeEdge(MeshBuilder& builder, const MeshSteps& steps) {
         const float share = across[i], along = alongs[static_cast<std::size_t>(column)];
         const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
         const float y = kBook.headInset + along * (kBook.height - 2 * kBook.headInset);
-        return {{foreEdge(share), y, acrossLeaves(across[i])},
-                Vector3f(1, 0, -slope).normalized(),
+        const float x = foreEdge(share), z = acrossLeaves(share);
+        const Vector3f normal = Vector3f(1, 0, -slope).normalized();
+        return {{x, y, z},
+                normal,
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
-                skyVisibilityAcross(i, across.size())};
+                outlookOfForeEdge(kBook, x, z, normal)};
       },
       always(kForeEdge), [](int i, int) { return row(i); });
 }
@@ -360,12 +362,12 @@ void addLeafEnds(MeshBuilder& builder, const MeshSteps& steps, bool head) {
         const auto i = static_cast<std::size_t>(column);
         const float along = alongs[static_cast<std::size_t>(row)];
         const float x = kBook.board + along * (foreEdge(across[i]) - kBook.board);
-        const float nearSpine = row == 0 ? kInsideSkyVisibility : 1;
-        return {{x, y, acrossLeaves(across[i])},
+        const float z = acrossLeaves(across[i]);
+        return {{x, y, z},
                 {0, head ? 1.0F : -1.0F, 0},
                 {kLeavesPerHeight * along * kBook.width / kBook.height,
                  kLeavesPerThickness * across[i]},
-                nearSpine * skyVisibilityAcross(i, across.size())};
+                outlookOfLeafEnds(kBook, x, z)};
       },
       always(head ? kHead : kFoot), [](int, int j) { return column(j); });
 }

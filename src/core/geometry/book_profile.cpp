@@ -14,7 +14,7 @@ constexpr float kSpineRadius = 100;           // [mm]
 constexpr float kShoulderRadius = 2;          // Between boards and spine. [mm]
 constexpr float kHingeHalfWidth = 2.6F;       // [mm]
 constexpr float kHingeDepth = 1.4F;           // [mm]
-constexpr float kHingeSkyVisibility = 0.55F;  // At the groove's bottom.
+constexpr float kHingeSkyVisibility = 0.88F;  // At the groove's bottom.
 constexpr float kPi = std::numbers::pi_v<float>;
 
 /// Returns the centre of the shoulder's arc, which is tangent to the board's plane and the spine's

@@ -24,6 +24,9 @@ struct MeshVertex {
   /// Number of the smooth side it belongs to, 1 to kMaxSurfaceId; a triangle has that of its last
   /// vertex.
   float surfaceId = 0;
+  /// Covector away from what hides the rest of the surroundings from here, which it gets light of;
+  /// as long as the rest's share.
+  Eigen::Vector3f away{0, 0, 0};
 };
 
 /// A row of squares of a part's roundings, rims or hinges. It is seldom wider than a pixel, and

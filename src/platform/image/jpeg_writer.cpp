@@ -33,6 +33,8 @@ class JpegEncoder {
       jpeg_.in_color_space = picture.format == PixelFormat::Rgb8 ? JCS_RGB : JCS_EXT_RGBX;
       jpeg_set_defaults(&jpeg_);
       jpeg_set_quality(&jpeg_, quality, TRUE);
+      for (int i = 0; i < jpeg_.num_components; ++i)  // Thin gold on red keeps its colour.
+        jpeg_.comp_info[i].h_samp_factor = jpeg_.comp_info[i].v_samp_factor = 1;
       jpeg_.dct_method = JDCT_ISLOW;  // Integers, as the reader's.
       jpeg_.optimize_coding = TRUE;
       jpeg_start_compress(&jpeg_, TRUE);

@@ -82,9 +82,9 @@ TEST(Bridge, HasTheBooksMesh) {
   const float* vertices = rb_mesh_vertices(context(), &count);
   EXPECT_GT(count, 1000);
   for (std::int32_t i = 0; i < count; ++i) {
-    EXPECT_GE(vertices[10 * i], 0) << "position in the unit cube";
-    EXPECT_LE(vertices[10 * i], 1);
-    EXPECT_GE(vertices[10 * i + 9], 1) << "number of a surface";
+    EXPECT_GE(vertices[13 * i], 0) << "position in the unit cube";
+    EXPECT_LE(vertices[13 * i], 1);
+    EXPECT_GE(vertices[13 * i + 9], 1) << "number of a surface";
   }
   for (std::int32_t part = 0; part < 5; ++part) {
     std::int32_t indexCount = 0;
@@ -105,8 +105,8 @@ TEST(Bridge, HasTheMeshesOfOtherBodies) {
   const std::size_t vertices = std::stoul(json.substr(json.find(':') + 1));
   EXPECT_GT(vertices, 1000U);
   for (std::size_t i = 0; i < vertices; ++i) {
-    EXPECT_GE(rb_body_vertices(context())[10 * i], -1e-6) << "position in the unit cube";
-    EXPECT_LE(rb_body_vertices(context())[10 * i], 1 + 1e-6);
+    EXPECT_GE(rb_body_vertices(context())[13 * i], -1e-6) << "position in the unit cube";
+    EXPECT_LE(rb_body_vertices(context())[13 * i], 1 + 1e-6);
   }
   for (std::size_t i = 0; i < 300; ++i) EXPECT_LT(rb_body_indices(context())[i], vertices);
 }

@@ -9,6 +9,7 @@
 #include "geometry/book_mesh.h"
 #include "image/linear_accumulator.h"
 #include "image/png_file.h"
+#include "render/body/book_painter.h"
 #include "render/body/mesh_geometry.h"
 #include "render/device/egl_context.h"
 #include "render/gl/frame_target.h"
@@ -66,7 +67,8 @@ struct SampledBook::Parts {
         front(textures.front.view(), kClamped),
         spine(textures.spine.view(), kClamped),
         back(textures.back.view(), kClamped),
-        leaves(image::decodePng(paperPng(), "built-in paper").view(), kRepeated) {}
+        leaves(image::decodePng(paperPng(), "built-in paper").view(), kRepeated),
+        scatteredBy(scatteredByCover(textures.front)) {}
 
   void draw(const body::Cage& corners) const {
     const geometry::Projection projection = geometry::project(
@@ -79,11 +81,13 @@ struct SampledBook::Parts {
     geometry.bind();
     use(cover, corners, clipFromWorld);
     cover.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
+    cover.set("beside", kScatteredByLeaves);
     drawPart(geometry::BookPart::Front, front);
     drawPart(geometry::BookPart::Spine, spine);
     drawPart(geometry::BookPart::Back, back);
     if (winding == 0) drawPart(geometry::BookPart::Lining, front);
     use(paper, corners, clipFromWorld);
+    paper.set("beside", scatteredBy);
     drawPart(geometry::BookPart::Pages, leaves);
   }
 
@@ -113,6 +117,7 @@ struct SampledBook::Parts {
   ShaderProgram cover, paper, oneSample;
   MeshGeometry geometry;
   Texture front, spine, back, leaves;
+  Eigen::Vector3f scatteredBy;
 };
 
 SampledBook::SampledBook(const RenderSettings& settings, const BookTextures& textures)

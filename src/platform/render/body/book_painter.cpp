@@ -12,6 +12,14 @@ std::size_t indexOf(geometry::BookPart part) {
 
 }  // namespace
 
+Eigen::Vector3f scatteredByCover(const image::Image& front) {
+  constexpr float kRim = 0.004F;  // Of its height, as the mesh has it.
+  const int row = static_cast<int>((1 - kRim) * static_cast<float>(front.height()));
+  const std::uint8_t* pixel =
+      front.row(row) + front.width() / 2 * image::bytesPerPixel(front.format());
+  return (Eigen::Vector3f(pixel[0], pixel[1], pixel[2]) / 255).cwiseAbs2();
+}
+
 BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail detail)
     : mesh_(geometry::makeBookMesh(detail)),
       coverProgram_(
@@ -20,18 +28,19 @@ BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail deta
       paperProgram_("paper", {studioScatter(), bodyVertexShader()},
                     {paperFragmentShader(), toneCurveFragmentShader()}),
       geometry_(mesh_),
+      scatteredByCover_(scatteredByCover(textures.front)),
       front_(textures.front.view(), kClamped),
       spine_(textures.spine.view(), kClamped),
       back_(textures.back.view(), kClamped),
       paper_(builtinPaper().view(), kRepeated) {}
 
 void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  drawParts(drawn, eye, {front_, spine_, back_, paper_});
+  drawParts(drawn, eye, {front_, spine_, back_, paper_, scatteredByCover_});
 }
 
 void BookPainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
   const Texture pattern(testPattern().view(), kRepeated);
-  drawParts(drawn, eye, {pattern, pattern, pattern, pattern});
+  drawParts(drawn, eye, {pattern, pattern, pattern, pattern, Eigen::Vector3f::Zero()});
 }
 
 void BookPainter::drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
@@ -40,20 +49,24 @@ void BookPainter::drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
   geometry_.bind();
   useFor(coverProgram_, drawn);
   coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+  coverProgram_.set("beside", kScatteredByLeaves);
   drawCover(geometry::BookPart::Front, surfaces.front);
   drawCover(geometry::BookPart::Spine, surfaces.spine);
   drawCover(geometry::BookPart::Back, surfaces.back);
   if (drawn.winding == 0) drawCover(geometry::BookPart::Lining, surfaces.front);
   useFor(paperProgram_, drawn);
+  paperProgram_.set("beside", surfaces.scatteredByCover);
   drawPart(geometry::BookPart::Pages, surfaces.paper);
 }
 
 void BookPainter::drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
   geometry_.bindStrips();
   useFor(paperProgram_, drawn);
+  paperProgram_.set("beside", scatteredByCover_);
   drawStripsOf(geometry::BookPart::Pages, paper_, drawn);
   useFor(coverProgram_, drawn);
   coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+  coverProgram_.set("beside", kScatteredByLeaves);
   drawCoverStrips(geometry::BookPart::Front, front_, drawn);
   drawCoverStrips(geometry::BookPart::Spine, spine_, drawn);
   drawCoverStrips(geometry::BookPart::Back, back_, drawn);

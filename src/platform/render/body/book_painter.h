@@ -9,6 +9,12 @@
 
 namespace rotatebook::render {
 
+/// The share of light that leaves scatter onto the cover beside them, which hides half the
+/// surroundings from them.
+inline const Eigen::Vector3f kScatteredByLeaves(0.52F, 0.45F, 0.33F);
+/// Returns the share that a cover scatters onto the leaves: that of its foot, in the middle.
+Eigen::Vector3f scatteredByCover(const image::Image& front);
+
 /// The book: a cover of cloth with gold, and paper.
 class BookPainter final : public BodyPainter {
  public:
@@ -26,6 +32,7 @@ class BookPainter final : public BodyPainter {
     const Texture& spine;
     const Texture& back;
     const Texture& paper;
+    Eigen::Vector3f scatteredByCover;
   };
 
   void drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
@@ -39,6 +46,7 @@ class BookPainter final : public BodyPainter {
   geometry::Mesh mesh_;
   ShaderProgram coverProgram_, paperProgram_;
   MeshGeometry geometry_;
+  Eigen::Vector3f scatteredByCover_;
   Texture front_, spine_, back_, paper_;
 };
 

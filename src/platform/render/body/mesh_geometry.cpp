@@ -26,6 +26,7 @@ void describeVertex(std::size_t stride) {
   attribute(2, 2, offsetof(geometry::MeshVertex, texCoord));
   attribute(3, 1, offsetof(geometry::MeshVertex, skyVisibility));
   attribute(4, 1, offsetof(geometry::MeshVertex, surfaceId));
+  attribute(5, 3, offsetof(geometry::MeshVertex, away));
 }
 
 /// A point of a strip's middle line.
@@ -111,7 +112,7 @@ void MeshGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) 
   bindStrips();
   upload(GL_ARRAY_BUFFER, stripVertices_, vertices);
   describeVertex(sizeof(StripVertex));
-  describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
+  describeAttribute(6, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
 void MeshGeometry::drawStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const {

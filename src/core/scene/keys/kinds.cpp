@@ -26,6 +26,12 @@ double numberFrom(const ValueReader& value, const ValueForm& form) {
   return value.number(rangeOf(form));
 }
 
+bool flagFrom(const ValueReader& value) {
+  const bool* flag = std::get_if<bool>(&value.node().value);
+  if (flag == nullptr) value.mismatch(kFlags);
+  return *flag;
+}
+
 std::string textFrom(const ValueReader& value, const ValueForm& form) {
   return value.text(static_cast<std::size_t>(form.max));
 }

@@ -155,6 +155,8 @@ constexpr NumberRange rangeOf(const ValueForm& form) {
 int integerFrom(const ValueReader& value, const ValueForm& form);
 std::string integerText(int value);
 double numberFrom(const ValueReader& value, const ValueForm& form);
+inline constexpr const char* kFlags = "true or false";
+bool flagFrom(const ValueReader& value);
 /// Returns three numbers, each within `range`, whose description is that of all three.
 Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range);
 Eigen::Vector3d vectorOf(const ValueReader& value, const ValueForm& form);

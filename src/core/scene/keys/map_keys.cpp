@@ -75,12 +75,6 @@ std::string numbersIfAny(const std::vector<double>& numbers) {
   return numbers.empty() ? "" : numbersText(numbers);
 }
 
-bool flagFrom(const ValueReader& value) {
-  const bool* flag = std::get_if<bool>(&value.node().value);
-  if (flag == nullptr) value.mismatch("true or false");
-  return *flag;
-}
-
 std::string flagText(bool flag) {
   return flag ? "true" : "";
 }
@@ -95,7 +89,7 @@ std::vector<double> contoursFrom(const ValueReader& value) {
 Keys<MapColours> colourKeys() {
   static constexpr std::array keys{
       choice<&MapColours::palette, kPalettes>("palette"),
-      own<&MapColours::reversed, flagFrom, flagText>("reversed", {.flag = true}, "true or false"),
+      own<&MapColours::reversed, flagFrom, flagText>("reversed", {.flag = true}, kFlags),
       choice<&MapColours::scale, kScales>("scale"),
       number<&MapColours::from>("from", kNumber),
       number<&MapColours::to>("to", kNumber),

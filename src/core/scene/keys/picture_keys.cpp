@@ -28,7 +28,6 @@ constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's
 constexpr const char* kBackgroundTexts =
     "\"studio\", \"stars\", \"transparent\", \"white\", \"black\" or a colour such as \"#2b5d8a\"";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
-constexpr const char* kFlags = "true or false";
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};
 constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
@@ -82,12 +81,6 @@ int momentsFrom(const ValueReader& value) {
   const int moments = value.integer(1, kMaxMoments);
   if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
   return moments;
-}
-
-bool flagFrom(const ValueReader& value) {
-  const auto* flag = std::get_if<bool>(&value.node().value);
-  if (flag == nullptr) value.mismatch(kFlags);
-  return *flag;
 }
 
 std::string flagText(bool flag) {

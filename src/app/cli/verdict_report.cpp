@@ -1,7 +1,9 @@
 #include "cli/verdict_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <string_view>
 
@@ -10,6 +12,7 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "page/html.h"
 #include "timeline/judge.h"
 #include "timeline/motion_summary.h"
 
@@ -23,15 +26,9 @@ std::string shortNumber(double value) {
 }
 
 std::string_view regimeText(rigid::Regime regime) {
-  switch (regime) {
-    case rigid::Regime::AboutSmallest:
-      return "the axis of the smallest moment";
-    case rigid::Regime::AboutLargest:
-      return "the axis of the largest moment";
-    case rigid::Regime::Separatrix:
-      break;
-  }
-  return "no axis";
+  constexpr std::array<std::string_view, 3> kTexts{"the axis of the smallest moment", "no axis",
+                                                   "the axis of the largest moment"};
+  return kTexts[static_cast<std::size_t>(static_cast<int>(regime) + 1)];
 }
 
 std::string percentOf(double part) {
@@ -55,26 +52,10 @@ BoundResult bounded(const char* name, double measured, double bound) {
 
 /// Returns `text` for XML: its marks as entities, control characters as blanks.
 std::string escapedXml(std::string_view text) {
-  std::string result;
-  for (const char letter : validUtf8(text)) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
-    }
-  }
-  return result;
+  std::string plain = validUtf8(text);
+  std::ranges::replace_if(
+      plain, [](unsigned char letter) { return letter < ' '; }, ' ');
+  return page::escaped(plain).text;
 }
 
 std::string caseText(const std::string& motion, const BoundResult& one) {
@@ -91,17 +72,9 @@ std::string regimesText(const Verdict& verdict) {
   return fmt::format("the angular momentum circles {} at first, {} at the end", start, end);
 }
 
-/// Returns "given", "slopes" or "gyroscope".
 std::string_view sourceText(recording::SpinSource source) {
-  switch (source) {
-    case recording::SpinSource::Given:
-      return "given";
-    case recording::SpinSource::Slopes:
-      return "slopes";
-    case recording::SpinSource::Gyroscope:
-      return "gyroscope";
-  }
-  return "";
+  constexpr std::array<std::string_view, 3> kTexts{"given", "slopes", "gyroscope"};
+  return kTexts[static_cast<std::size_t>(source)];
 }
 
 /// Returns a line on the angular velocities where they aren't exact; empty where they are.

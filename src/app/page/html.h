@@ -1,4 +1,4 @@
-// Conversion of text to HTML, and filling of templates. Inside the room only.
+// Conversion of text to HTML, and filling of templates.
 #pragma once
 
 #include <map>

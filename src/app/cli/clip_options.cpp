@@ -13,7 +13,6 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/option_checks.h"
-#include "cli/scene_options.h"
 #include "pipeline/stream_clip.h"
 
 namespace rotatebook::cli {

@@ -173,16 +173,6 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
 
 }  // namespace
 
-std::vector<std::string> itemsOf(std::string_view list) {
-  std::vector<std::string> items;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    items.emplace_back(trimmed(list.substr(begin, end - begin)));
-    begin = end + 1;
-  }
-  return items;
-}
-
 void SceneOptions::addTo(CLI::App& command, bool draws) {
   constexpr const char* kGroup = "Scene";
   const char* pictures = draws ? kGroup : "";

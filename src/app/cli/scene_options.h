@@ -54,9 +54,6 @@ struct SceneOptions {
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
-/// Returns what commas divide, without blanks around it; a single item if there is none.
-std::vector<std::string> itemsOf(std::string_view list);
-
 /// Adds --no-expect, which leaves whatever scenes expect unjudged.
 void addNoExpect(CLI::App& command, bool& noExpect);
 

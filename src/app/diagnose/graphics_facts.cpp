@@ -6,13 +6,13 @@
 #include <dlfcn.h>
 #include <filesystem>
 #include <grp.h>
-#include <sstream>
 #include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
 #include "base/json.h"
+#include "base/text.h"
 #include "system/portable_folder.h"
 #include "system/read_file.h"
 #include "system/resource_limits.h"
@@ -52,11 +52,8 @@ std::vector<std::string> mesaVariables() {
 }
 
 std::vector<std::string> partsOf(const std::string& paths) {
-  std::vector<std::string> parts;
-  std::istringstream stream(paths);
-  for (std::string part; std::getline(stream, part, ':');) {
-    if (!part.empty()) parts.push_back(part);
-  }
+  std::vector<std::string> parts = itemsOf(paths, ':');
+  std::erase(parts, "");
   return parts;
 }
 

@@ -18,16 +18,9 @@ namespace {
 
 constexpr std::chrono::seconds kPatience{90};  ///< Slurm's own commands give up earlier.
 
-std::vector<std::string> split(std::string_view text, char at) {
-  std::vector<std::string> parts;
-  std::istringstream stream{std::string(text)};
-  for (std::string part; std::getline(stream, part, at);) parts.emplace_back(trimmed(part));
-  return parts;
-}
-
 /// Returns what follows `KEY =` on a line of its own; empty if there is none.
 std::string valueIn(std::string_view config, std::string_view key) {
-  for (const std::string& line : split(config, '\n')) {
+  for (const std::string& line : itemsOf(config, '\n')) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos || trimmed(line.substr(0, equals)) != key) continue;
     return std::string(trimmed(line.substr(equals + 1)));
@@ -42,7 +35,7 @@ std::int64_t numberOr(const std::string& text, std::int64_t other) {
 
 /// Returns whether a list like "1,70-80" has `number`.
 bool holds(const std::string& list, std::int64_t number) {
-  for (const std::string& range : split(list, ',')) {
+  for (const std::string& range : itemsOf(list, ',')) {
     const std::size_t dash = range.find('-');
     const std::int64_t first = numberOr(range, -1);
     const std::int64_t last =
@@ -57,14 +50,14 @@ std::int64_t secondsIn(const std::string& text) {
   const std::size_t dash = text.find('-');
   std::int64_t seconds = 0;
   const std::string clock = dash == std::string::npos ? text : text.substr(dash + 1);
-  for (const std::string& part : split(clock, ':')) seconds = seconds * 60 + numberOr(part, 0);
+  for (const std::string& part : itemsOf(clock, ':')) seconds = seconds * 60 + numberOr(part, 0);
   return seconds + (dash == std::string::npos ? 0 : numberOr(text, 0) * 86'400);
 }
 
 /// Returns Slurm's message without the lines' beginnings, on one line.
 std::string wordsOf(const std::string& problems) {
   std::vector<std::string> words;
-  for (std::string line : split(problems, '\n')) {
+  for (std::string line : itemsOf(problems, '\n')) {
     line = std::regex_replace(line, std::regex("^[a-z]+: (error: )?"), "");
     if (std::ranges::count(words, line) == 0) words.push_back(line);
   }
@@ -142,7 +135,7 @@ ClusterLimits parseLimits(std::string_view config) {
   limits.arraySize = numberOr(valueIn(config, "MaxArraySize"), limits.arraySize);
   limits.jobs = numberOr(valueIn(config, "MaxJobCount"), limits.jobs);
   limits.requeues75 = holds(valueIn(config, "RequeueExit"), 75);
-  for (const std::string& word : split(valueIn(config, "SchedulerParameters"), ',')) {
+  for (const std::string& word : itemsOf(valueIn(config, "SchedulerParameters"), ',')) {
     constexpr std::string_view kKey = "max_array_tasks=";
     if (word.starts_with(kKey)) limits.arrayTasks = numberOr(word.substr(kKey.size()), 0);
   }
@@ -151,8 +144,8 @@ ClusterLimits parseLimits(std::string_view config) {
 
 std::vector<QueuedJob> parseQueue(std::string_view lines) {
   std::vector<QueuedJob> jobs;
-  for (const std::string& line : split(lines, '\n')) {
-    std::vector<std::string> words = split(line, '|');
+  for (const std::string& line : itemsOf(lines, '\n')) {
+    std::vector<std::string> words = itemsOf(line, '|');
     if (words.size() < 5) continue;
     words.resize(6);
     jobs.push_back(
@@ -162,17 +155,17 @@ std::vector<QueuedJob> parseQueue(std::string_view lines) {
 }
 
 std::int64_t parseProcessors(std::string_view lines, const std::string& partition) {
-  const std::vector<std::string> wanted = split(partition, ',');
+  const std::vector<std::string> wanted = itemsOf(partition, ',');
   std::set<std::string> there;
   std::int64_t sum = 0;
-  for (const std::string& line : split(lines, '\n')) {
-    const std::vector<std::string> words = split(line, '|');
+  for (const std::string& line : itemsOf(lines, '\n')) {
+    const std::vector<std::string> words = itemsOf(line, '|');
     if (words.size() != 2 || words[0].empty()) continue;
     const bool isDefault = words[0].ends_with('*');
     const std::string name = words[0].substr(0, words[0].size() - (isDefault ? 1 : 0));
     there.insert(name);
     if (partition.empty() ? !isDefault : std::ranges::count(wanted, name) == 0) continue;
-    const std::vector<std::string> states = split(words[1], '/');  // allocated, idle, other, all
+    const std::vector<std::string> states = itemsOf(words[1], '/');  // allocated, idle, other, all
     if (states.size() == 4) sum += numberOr(states[0], 0) + numberOr(states[1], 0);
   }
   for (const std::string& name : wanted)

@@ -5,6 +5,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "image/png_file.h"
 #include "pipeline/kept_tiles.h"
 #include "plot/map_colours.h"
@@ -54,7 +55,7 @@ std::vector<std::size_t> missingTiles(const std::vector<MapTile>& tiles, store::
 }
 
 std::string tilesText(std::size_t count) {
-  return std::to_string(count) + (count == 1 ? " tile" : " tiles");
+  return countText(static_cast<std::int64_t>(count), "tile");
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fcntl.h>
 #include <ranges>
-#include <sstream>
 #include <sys/stat.h>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "base/checksum.h"
 #include "base/clip_limits.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "system/atomic_file.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
@@ -65,8 +65,7 @@ void FrameChecksums::readParts(const std::filesystem::path& folder, Checksums& c
 
 FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
   Checksums checksums;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : itemsOf(text, '\n')) {
     if (line.size() < kDigits + kSeparator.size()) continue;
     const auto index = frameIndex(line.substr(kDigits + kSeparator.size()));
     if (index) checksums[*index] = line.substr(0, kDigits);

@@ -18,6 +18,9 @@ std::string_view trimmed(std::string_view text);
 /// Returns `text` with small letters in place of A to Z.
 std::string lowerCase(std::string_view text);
 
+/// Returns the parts of `text` between letters `at`, one more than there are letters, trimmed.
+std::vector<std::string> itemsOf(std::string_view text, char at = ',');
+
 /// Returns "a, b, c" from the parts that aren't empty.
 std::string joined(const std::vector<std::string>& parts, std::string_view between = ", ");
 

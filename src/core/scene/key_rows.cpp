@@ -30,14 +30,9 @@ std::vector<KeyRow> collectedKeys() {
 
 /// Returns the key without the numbers of elements, and without its last part if `isPart`.
 std::string rowName(std::string_view key, bool isPart) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= key.size();) {
-    const std::size_t end = std::min(key.find('.', begin), key.size());
-    const std::string_view part = key.substr(begin, end - begin);
-    const bool isNumber = part.find_first_not_of("0123456789") == part.npos;
-    parts.emplace_back(isNumber && end < key.size() ? "N" : part);
-    begin = end + 1;
-  }
+  std::vector<std::string> parts = itemsOf(key, '.');
+  for (std::size_t i = 0; i + 1 < parts.size(); ++i)
+    if (parts[i].find_first_not_of("0123456789") == std::string::npos) parts[i] = "N";
   if (isPart) parts.pop_back();
   return joined(parts, ".");
 }

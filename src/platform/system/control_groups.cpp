@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parsed_number.h"
+#include "base/text.h"
 #include "system/read_file.h"
 
 namespace rotatebook::system {
@@ -29,10 +30,7 @@ std::vector<std::string> wordsOf(const std::string& line) {
 }
 
 std::vector<std::string> linesOf(const fs::path& file) {
-  std::istringstream lines(readFileOrEmpty(file));
-  std::vector<std::string> all;
-  for (std::string line; std::getline(lines, line);) all.push_back(line);
-  return all;
+  return itemsOf(readFileOrEmpty(file), '\n');
 }
 
 bool has(const std::string& controllers, std::string_view controller) {

@@ -16,6 +16,18 @@ TEST(Trimmed, HasNoBlanksAtItsEnds) {
   EXPECT_EQ(trimmed(" \n"), "");
 }
 
+TEST(ItemsOf, AreOneMoreThanWhatDividesThem) {
+  EXPECT_EQ(itemsOf("a, b ,,"), (std::vector<std::string>{"a", "b", "", ""}));
+  EXPECT_EQ(itemsOf("a, b", ':'), (std::vector<std::string>{"a, b"}));
+  EXPECT_EQ(itemsOf(""), (std::vector<std::string>{""}));
+}
+
+TEST(ShellWord, IsInQuotationMarksIfItNeedsThem) {
+  EXPECT_EQ(shellWord("a-b.toml"), "a-b.toml");
+  EXPECT_EQ(shellWord("it's"), R"('it'\''s')");
+  EXPECT_EQ(shellWord(""), "''");
+}
+
 TEST(Joined, LeavesOutWhatIsEmpty) {
   EXPECT_EQ(joined({}), "");
   EXPECT_EQ(joined({"", "a", "", "b", ""}), "a, b");

@@ -113,7 +113,8 @@ NamedScenes namedIn(const std::vector<std::string>& words) {
   }
   std::set<fs::path> known;
   std::erase_if(named.paths, [&](const fs::path& path) {
-    return !known.insert(fs::absolute(path).lexically_normal()).second;
+    return path != system::kStandardInput &&
+           !known.insert(fs::absolute(path).lexically_normal()).second;
   });
   return named;
 }

@@ -3,7 +3,8 @@
 // the camera turns, in each picture.
 in vec2 position;
 
-uniform int supersample;  // Pixels drawn across and down for each pixel of the picture.
+uniform vec2 pictureSize;  // [pixels]
+uniform int supersample;   // Pixels drawn across and down for each pixel of the picture.
 uniform mat4 skyFromPicture;  // Of a camera that turns: (position, 1, 1) to a direction; else 0.
 
 out vec4 colour;  // Encoded as sRGB.
@@ -50,5 +51,9 @@ void main() {
   vec3 wall = kEdge + kBrighter * (1.0 - smoothstep(0.0, 1.35, distanceFromMiddle));
   if (skyFromPicture[3][3] != 0.0)
     wall *= 1.0 + kContrast * plaster(mat3(skyFromPicture) * vec3(position, 1.0));
-  colour = vec4(wall + ditherOffset(int(gl_FragCoord.y) / supersample) / 255.0, 1.0);
+  int row = int(gl_FragCoord.y);
+#ifdef CLIP_Y_UP  // In a browser the frame buffer's first row is the lowest.
+  row = int(pictureSize.y) - 1 - row;
+#endif
+  colour = vec4(wall + ditherOffset(row / supersample) / 255.0, 1.0);
 }

@@ -11,6 +11,7 @@
 #include "image/downsample.h"
 #include "image/jpeg_writer.h"
 #include "image/png_file.h"
+#include "picture/interchange/gold_picture.h"
 #include "picture/looks.h"
 #include "render/book_textures.h"
 #include "render/surface_look.h"
@@ -21,12 +22,13 @@ namespace {
 using Materials = std::vector<std::size_t>;  // Their indices, by part of the mesh.
 
 constexpr int kLongestSide = 1024;  // Of the book's pictures. [pixels]
-constexpr int kQuality = 80;        // Of them as JPEG.
-constexpr float kClothRoughness = 0.45F, kPaperRoughness = 1;
+constexpr int kQuality = 78;        // Of them as JPEG.
+constexpr int kGoldQuality = 40;
+constexpr float kPaperRoughness = 1;
 
 /// Returns a picture's PNG or JPEG, whichever is smaller.
-std::string smallFileOf(const image::Image& picture) {
-  std::string jpeg = image::jpegText(picture.view(), kQuality);
+std::string smallFileOf(const image::Image& picture, int quality) {
+  std::string jpeg = image::jpegText(picture.view(), quality);
   image::PngWriter writer;
   const std::string& png = writer.encode(picture.view(), "a picture");
   return png.size() < jpeg.size() ? png : jpeg;
@@ -41,7 +43,7 @@ image::Image madeSmall(image::Image picture) {
 /// Adds cloth or paper with a picture.
 std::size_t addPrinted(const char* name, image::Image picture, float roughness, body::Wrap wrap,
                        ExportedBody& body) {
-  body.pictures.push_back({smallFileOf(madeSmall(std::move(picture))), {wrap, wrap}});
+  body.pictures.push_back({smallFileOf(madeSmall(std::move(picture)), kQuality), {wrap, wrap}});
   body.materials.push_back(
       {.name = name, .roughness = roughness, .colourPicture = body.pictures.size() - 1});
   return body.materials.size() - 1;
@@ -49,7 +51,14 @@ std::size_t addPrinted(const char* name, image::Image picture, float roughness, 
 
 Materials addMaterials(const render::BookTextures& cover, ExportedBody& body) {
   const auto cloth = [&](const char* name, const image::Image& picture) {
-    return addPrinted(name, picture, kClothRoughness, body::Wrap::Clamp, body);
+    const std::size_t added = addPrinted(name, picture, kClothRoughness, body::Wrap::Clamp, body);
+    if (const auto gold = goldPicture(madeSmall(picture))) {
+      body.pictures.push_back(
+          {smallFileOf(*gold, kGoldQuality), {body::Wrap::Clamp, body::Wrap::Clamp}});
+      body.materials[added].metalness = 1;
+      body.materials[added].metalPicture = body.pictures.size() - 1;
+    }
+    return added;
   };
   const std::size_t front = cloth("front", cover.front), spine = cloth("spine", cover.spine),
                     back = cloth("back", cover.back);

@@ -4,9 +4,9 @@ pictures, camera and studio, and how far they are apart.
 
     bench/beside/beside_cycles.py PROGRAM FOLDER
 
-Writes FOLDER/book.png and FOLDER/bodies.png, a row for each view: rotatebook's, Cycles', and their difference on grey;
-prints a table. The grain of metal and wood is left out of what is exported, and so of Cycles' pictures alone. Needs
-blender, python3-numpy, python3-skimage; some 20 minutes on two cores.
+Writes FOLDER/book.png, FOLDER/checks.png and FOLDER/bodies.png, a row for each view: rotatebook's, Cycles', and their
+difference on grey; prints a table. The grain of metal and wood is left out of what is exported, and so of Cycles'
+pictures alone. Needs blender, python3-numpy, python3-skimage; some 25 minutes on two cores.
 """
 import argparse
 import os
@@ -21,6 +21,8 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 # Rotations about x, y and z in turn. [rad] The last four show the covers from beneath and edges at grazing light.
 VIEWS = [(-0.5, 0.55, 0.12), (0.9, -0.7, 0.3), (-0.35, -1.15, 0.2), (1.25, 0.15, -0.4),
          (-1.2, 0.3, 0.1), (0.4, 1.45, 0.0), (-1.45, 2.6, 0.2), (0.2, 3.4, 1.5)]
+# Others, for a check.
+CHECKS = [(0.75, 0.5, -0.2), (-0.8, -0.6, 0.5), (1.1, -1.0, 0.1), (-0.6, 1.9, -0.3)]
 BODIES_FOLDER = os.path.join(HERE, "../../scenes/bodies")
 # The body and its rotations. [rad]
 BODIES = {
@@ -120,8 +122,10 @@ def scenes(size):
     with open(os.path.join(BODIES_FOLDER, "mallet.toml"), encoding="utf8") as file:
         text = file.read()
     mallet = text[text.index("[[body.part]]"):text.index("[simulation]")]
+    def books(name, views):
+        return {f"{name}-{i}": scene("", view, "[camera]\nposition = [0, 0, 0.76]") for i, view in enumerate(views)}
     return {
-        "book": {f"view-{i}": scene("", view, "[camera]\nposition = [0, 0, 0.76]") for i, view in enumerate(VIEWS)},
+        "book": books("view", VIEWS), "checks": books("check", CHECKS),
         "bodies": {name: scene(f"[body]\n{body}" if body else mallet, view, "")
                    for name, (body, view) in BODIES.items()},
     }

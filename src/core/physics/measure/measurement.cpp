@@ -50,6 +50,12 @@ TiltSide sideOf(double tiltDeg) {
   return tiltDeg > kFarTiltDeg ? TiltSide::Far : TiltSide::None;
 }
 
+TiltSide sideOfCosine(double along, double length) {
+  constexpr double kCosine = 0.5;  // of kNearTiltDeg, and of kFarTiltDeg with another sign
+  if (along > kCosine * length) return TiltSide::Near;
+  return along < -kCosine * length ? TiltSide::Far : TiltSide::None;
+}
+
 bool keepsItsShape(double stretchMin, double stretchMax) {
   return stretchMin >= kMinStretch && stretchMax <= kMaxStretch;
 }
@@ -59,10 +65,7 @@ int HalfTurnCounter::count(double tiltDeg) {
 }
 
 int HalfTurnCounter::countCosine(double along, double length) {
-  constexpr double kCosine = 0.5;  // of kNearTiltDeg, and of kFarTiltDeg with another sign
-  return countSide(along > kCosine * length    ? TiltSide::Near
-                   : along < -kCosine * length ? TiltSide::Far
-                                               : TiltSide::None);
+  return countSide(sideOfCosine(along, length));
 }
 
 int HalfTurnCounter::countSide(TiltSide side) {

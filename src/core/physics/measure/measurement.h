@@ -44,6 +44,8 @@ inline constexpr double kNearTiltDeg = 60, kFarTiltDeg = 120;
 /// Sides of the tilt between which half-turns are counted: under kNearTiltDeg, over kFarTiltDeg.
 enum class TiltSide { None, Near, Far };
 TiltSide sideOf(double tiltDeg);
+/// Takes the cosine of the tilt times a length > 0, and that length.
+TiltSide sideOfCosine(double along, double length);
 
 /// Returns when the half-turn between two neighbouring samples was made: the tilt passed 120
 /// degrees, or 60 on its way back. Interpolates linearly; returns the later sample's time if there
@@ -56,7 +58,7 @@ class HalfTurnCounter {
  public:
   /// Takes the next tilt [degrees]; returns the count so far.
   int count(double tiltDeg);
-  /// Takes likewise the cosine of the tilt times a length > 0, and that length.
+  /// Takes likewise what sideOfCosine() takes.
   int countCosine(double along, double length);
   /// Freezes the count for good.
   void stop() { stopped_ = true; }

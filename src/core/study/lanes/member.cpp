@@ -113,8 +113,9 @@ void Member::count(Block& block, int lane, const BodyState& state) const {
     block.watch.isCounted[lane] = 0;
     return;
   }
+  const Eigen::Vector3d axis = polar.rotation * spunAxis_;
   const auto side =
-      physics::sideOf(physics::tiltDegOf(polar.rotation, spunAxis_, state.angularMomentum));
+      physics::sideOfCosine(axis.dot(state.angularMomentum), state.angularMomentum.norm());
   if (side == physics::TiltSide::None) return;
   const double next = side == physics::TiltSide::Near ? 1 : -1;
   if (block.watch.side[lane] * next < 0) {

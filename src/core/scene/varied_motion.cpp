@@ -61,9 +61,11 @@ void requireWhole(const TomlNode& sections, const PlacedAxis& placed, const std:
   if (whole == key || findKey(whole) == nullptr) return;
   if (ValueReader(sections, "").find("initial", whole.substr(kInitial.size()))) return;
   document::failAt(placed.location,
-                   placed.axis->key + " is a part of " + whole +
-                       ", which the scene doesn't state; state it" +
-                       (whole == kTilt ? ", such as initial.tilt = [0.01, \"z\"]" : ""));
+                   whole == kTilt
+                       ? "the scene has no initial.tilt, whose angle would vary; state it, such as "
+                         "initial.tilt = [0.01, \"z\"]"
+                       : placed.axis->key + " is a part of " + whole +
+                             ", which the scene doesn't state; state it");
 }
 
 /// Returns the sections that settle a motion, as far as `file` has them.

@@ -39,9 +39,8 @@ constexpr std::size_t kLongestWord = 60;
 std::string decimalMarkFrom(const ValueReader& value) {
   const std::string mark = value.text(kLongestWord);
   if (std::ranges::count(kDecimalMarks, mark) > 0) return mark;
-  value.fail(value.name() + " must be " +
-             joinedOf(kDecimalMarks, [](std::string_view one) { return quotedText(one); }) +
-             ", not " + describe(value.node()));
+  value.fail(value.name() + " must be " + quotedList(kDecimalMarks, "or") + ", not " +
+             describe(value.node()));
 }
 
 }  // namespace

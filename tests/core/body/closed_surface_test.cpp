@@ -4,18 +4,16 @@
 #include <limits>
 #include <utility>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "body/message_of.h"
 #include "body/solids.h"
+#include "messages.h"
 
 namespace rotatebook::body {
 namespace {
 
-using ::testing::AllOf;
 using testing::boxMesh;
-using ::testing::HasSubstr;
 using testing::messageOf;
 
 std::string judged(const TriangleMesh& mesh) {
@@ -34,9 +32,7 @@ TEST(ClosedSurface, HasNoHoleWhereATriangleIsMissing) {
   for (std::size_t i = 0; i < 12; ++i) {
     TriangleMesh mesh = boxMesh(1, 2, 3);
     mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("the edge from ("), HasSubstr("alone"),
-                                    HasSubstr("close the hole")))
-        << i;
+    EXPECT_MESSAGE(judged(mesh)) << i;
   }
 }
 
@@ -45,9 +41,7 @@ TEST(ClosedSurface, FacesOutwardWithAllItsTriangles) {
   for (std::size_t i = 0; i < 12; ++i) {
     TriangleMesh mesh = boxMesh(1, 2, 3);
     std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
-    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("in the same direction"),
-                                    HasSubstr(std::to_string(i + 1)), HasSubstr("turn")))
-        << i;
+    EXPECT_MESSAGE(judged(mesh)) << i;
   }
 }
 
@@ -66,16 +60,14 @@ TEST(ClosedSurface, HasTrianglesOfThreeCorners) {
   for (std::size_t i = 0; i < 12; ++i) {
     TriangleMesh mesh = boxMesh(1, 2, 3);
     mesh.triangles[i][i % 3] = mesh.triangles[i][(i + 1) % 3];
-    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("triangle " + std::to_string(i + 1)),
-                                    HasSubstr("twice; take it away")))
-        << i;
+    EXPECT_MESSAGE(judged(mesh)) << i;
   }
 }
 
 TEST(ClosedSurface, HasNoInnerWall) {
   TriangleMesh mesh = boxMesh(1, 1, 1);
   mesh.triangles.push_back({0, 3, 7});
-  EXPECT_THAT(judged(mesh), AllOf(HasSubstr("belongs to"), HasSubstr("13")));
+  EXPECT_MESSAGE(judged(mesh));
 }
 
 TEST(ClosedSurface, NamesTheEdgeByItsEnds) {
@@ -92,9 +84,7 @@ TEST(ClosedSurface, HasNoPointOnAnEdge) {
   mesh.points.emplace_back(0.5, 0, 0);
   mesh.triangles[1] = {0, 4, 3};
   mesh.triangles.push_back({4, 1, 3});
-  EXPECT_THAT(judged(mesh),
-              HasSubstr("to (1, 0, 0) belongs to triangle 1 alone: the point (0.5, 0, "
-                        "0) lies on it; divide the edge there, as its neighbours do"));
+  EXPECT_MESSAGE(judged(mesh));
 }
 
 /// Returns the mesh with its points in the opposite order.
@@ -124,9 +114,7 @@ TEST(ClosedSurface, HasNoEndOfAnEdgeOnAnother) {
   }
   ASSERT_EQ(mesh.triangles.size(), 6U);
   for (const TriangleMesh& one : {mesh, turnedRound(mesh)}) {
-    EXPECT_THAT(judged(one),
-                AllOf(HasSubstr(" alone: its end ("), HasSubstr(" lies on the edge from ("),
-                      HasSubstr("; divide that there, too")));
+    EXPECT_MESSAGE(judged(one));
   }
 }
 
@@ -136,7 +124,7 @@ TEST(ClosedSurface, HasNoPointsSoNearEachOther) {
   mesh.points.emplace_back(1e-7, 0, 0);
   mesh.triangles[0] = {4, 2, 1};
   mesh.triangles.push_back({0, 2, 4});
-  EXPECT_THAT(judged(mesh), HasSubstr("merge points that are so near each other"));
+  EXPECT_MESSAGE(judged(mesh));
 }
 
 // In whichever order the points are, the edges of a point on another aren't called a hole.
@@ -145,11 +133,11 @@ TEST(ClosedSurface, CallsNoPointOnAnEdgeAHole) {
   mesh.points.emplace_back(0.5, 0, 0);
   mesh.triangles[1] = {0, 4, 3};
   mesh.triangles.push_back({4, 1, 3});
-  EXPECT_THAT(judged(mesh), HasSubstr("the point (0.5, 0, 0) lies on it"));
-  EXPECT_THAT(judged(turnedRound(mesh)), HasSubstr("lies on "));
+  EXPECT_MESSAGE(judged(mesh));
+  EXPECT_MESSAGE(judged(turnedRound(mesh)));
   // Half of the divided triangle is missing, too
   mesh.triangles.pop_back();
-  EXPECT_THAT(judged(mesh), HasSubstr("the point (0.5, 0, 0) lies on it"));
+  EXPECT_MESSAGE(judged(mesh));
 }
 
 // Triangles of a hundred-thousandth of the mesh, one of which is missing.
@@ -160,7 +148,7 @@ TEST(ClosedSurface, CallsASmallHoleAHole) {
     for (auto& point : small.points) point = 5 * Eigen::Vector3d::Ones() + size * point;
     small.triangles.pop_back();
     append(small, mesh);
-    EXPECT_THAT(judged(mesh), HasSubstr("the surface is open there; close the hole")) << size;
+    EXPECT_MESSAGE(judged(mesh)) << size;
   }
 }
 
@@ -179,8 +167,8 @@ TEST(ClosedSurface, HasNoTriangleOnTheBackOfAnother) {
 }
 
 TEST(ClosedSurface, NeedsTriangles) {
-  EXPECT_THAT(judged({}), HasSubstr("there are no triangles"));
-  EXPECT_THAT(judged({{{0, 0, 0}}, {}}), HasSubstr("there are no triangles"));
+  EXPECT_MESSAGE(judged({}));
+  EXPECT_MESSAGE(judged({{{0, 0, 0}}, {}}));
 }
 
 // 9 meshes with a coordinate that is no number.
@@ -190,7 +178,7 @@ TEST(Welding, RefusesCoordinatesThatArentFinite) {
     for (int axis = 0; axis < 3; ++axis) {
       TriangleMesh mesh = boxMesh(1, 1, 1);
       mesh.points[6][axis] = number;
-      EXPECT_THAT(judged(mesh), AllOf(HasSubstr("triangle "), HasSubstr("must be finite")));
+      EXPECT_MESSAGE(judged(mesh));
     }
   }
 }
@@ -199,8 +187,7 @@ TEST(Welding, RefusesPointsThatDontExist) {
   for (std::size_t i = 0; i < 12; ++i) {
     TriangleMesh mesh = boxMesh(1, 1, 1);
     mesh.triangles[i][2] = 8;
-    EXPECT_THAT(judged(mesh),
-                HasSubstr("triangle " + std::to_string(i + 1) + " names point 9, but there are 8"));
+    EXPECT_MESSAGE(judged(mesh));
   }
 }
 
@@ -216,7 +203,7 @@ TEST(Welding, JoinsEqualPointsAlone) {
   EXPECT_EQ(judged(soup), "accepted");
   soup.points[0].x() += 1e-16;
   EXPECT_EQ(welded(soup).points.size(), 9U) << "there is no tolerance";
-  EXPECT_THAT(judged(soup), HasSubstr("alone"));
+  EXPECT_MESSAGE(judged(soup));
 }
 
 TEST(Welding, TakesBothZerosForOne) {

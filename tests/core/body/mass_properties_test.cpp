@@ -6,19 +6,18 @@
 #include <numbers>
 
 #include <Eigen/Geometry>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "body/closed_surface.h"
 #include "body/solids.h"
+#include "messages.h"
 
 namespace rotatebook::body {
 namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using ::testing::HasSubstr;
 
 struct Solid {
   const char* name;
@@ -165,10 +164,10 @@ TEST(MassProperties, NeedAVolume) {
   };
   TriangleMesh inside = testing::boxMesh(1, 1, 1);
   for (auto& triangle : inside.triangles) std::swap(triangle[0], triangle[1]);
-  EXPECT_THAT(messageOf(inside), HasSubstr("-1 m^3: it is inside out"));
-  EXPECT_THAT(messageOf(testing::boxMesh(1, 1, 0)), HasSubstr("must have a volume"));
-  EXPECT_THAT(messageOf(testing::boxMesh(1e70, 1, 1)), HasSubstr("1e+70 m large"));
-  EXPECT_THAT(messageOf(testing::boxMesh(0, 0, 0)), HasSubstr("0 m large"));
+  EXPECT_MESSAGE(messageOf(inside));
+  EXPECT_MESSAGE(messageOf(testing::boxMesh(1, 1, 0)));
+  EXPECT_MESSAGE(messageOf(testing::boxMesh(1e70, 1, 1)));
+  EXPECT_MESSAGE(messageOf(testing::boxMesh(0, 0, 0)));
 }
 
 // Its times, which nothing asserts, are in the report that --gtest_output makes.

@@ -1,6 +1,5 @@
 #include "body/shells.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "body/closed_surface.h"
@@ -9,13 +8,13 @@
 #include "body/message_of.h"
 #include "body/self_crossing.h"
 #include "body/solids_apart.h"
+#include "messages.h"
 
 namespace rotatebook::body {
 namespace {
 
 using Eigen::Vector3d;
 using testing::boxMesh;
-using ::testing::HasSubstr;
 using testing::insideOut;
 using testing::messageOf;
 using testing::together;
@@ -99,8 +98,7 @@ TEST(ClosedSurface, IsntASheetWithTwoFaces) {
   append(insideOut(sheet), sheet);
   sheet = welded(sheet);
   EXPECT_FALSE(isClosed(sheet));
-  EXPECT_THAT(messageOf([&] { requireClosed(sheet); }),
-              HasSubstr("another on it that faces the other way: the surface encloses nothing"));
+  EXPECT_MESSAGE(messageOf([&] { requireClosed(sheet); }));
 }
 
 // A face with both sides that stands out of a box, or is a wall in it, has no volume.
@@ -119,7 +117,7 @@ TEST(ClosedSurface, MayHaveWallsOfTwoFaces) {
 // The whole box twice, whose edges are used alike both ways.
 TEST(ClosedSurface, IsntTheSameBodyTwice) {
   const TriangleMesh twice = welded(together(boxMesh(1, 2, 3), boxMesh(1, 2, 3), {0, 0, 0}));
-  EXPECT_THAT(messageOf([&] { requireClosed(twice); }), HasSubstr("are the same; take one of"));
+  EXPECT_MESSAGE(messageOf([&] { requireClosed(twice); }));
 }
 
 // A face with both sides goes through the edge along which two cubes touch, outside both.

@@ -9,18 +9,16 @@
 #include "body/message_of.h"
 #include "meshes/glb_box.h"
 #include "meshes/mesh_readers.h"
+#include "messages.h"
 
 namespace rotatebook::meshes {
 namespace {
 
 using body::testing::messageOf;
-using ::testing::AllOf;
 using testing::BoxFile;
 using testing::bytesOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 std::string saidOf(const BoxFile& file) {
   return messageOf([&] { readMesh("a.glb", file.bytes()); });
@@ -94,10 +92,7 @@ TEST(GlbExtensions, ThatMayChangeAShapeAreRefusedInIt) {
        {"ACME_shape", "GEO_LOD", "FRAUNHOFER_external_model", "MPEG_accessor_timed",
         "MPEG_buffer_circular", "KITTYCAD_boundary_representation", "ACME_lights_of_its_own"}) {
     for (std::size_t shape = 0; shape < std::size(kShapes); ++shape)
-      EXPECT_THAT(saidOf(usingIn(shape, name)),
-                  AllOf(HasSubstr(kShapes[shape] + (" needs the extension \"" + name + '"')),
-                        HasSubstr("may change its shape; export it without"),
-                        Not(HasSubstr("compression"))));
+      EXPECT_MESSAGE(saidOf(usingIn(shape, name)));
   }
   BoxFile file = usingIn(0, "ACME_shape");
   file.root = R"(, "extensionsUsed": ["ACME_shape"])";
@@ -183,7 +178,7 @@ TEST(GlbReader, LeavesLinesAndPointsOut) {
   }
   BoxFile file;
   file.primitive = ", \"mode\": 1";
-  EXPECT_THAT(saidOf(file), HasSubstr("there are no triangles (points and lines have no volume"));
+  EXPECT_MESSAGE(saidOf(file));
 }
 
 // The sides as a strip, one end as a fan, the other as a list.
@@ -234,10 +229,10 @@ TEST(GlbReader, TakesDataInItsDescription) {
   const auto said = [&](const std::string& other) {
     return messageOf([&] { readMesh("a.glb", with(other)); });
   };
-  EXPECT_THAT(said("data:text/plain,a"), HasSubstr("data that isn't base64"));
-  EXPECT_THAT(said(uri + "AA*A"), HasSubstr("data that isn't base64"));
-  EXPECT_THAT(said(uri + "AAAA"), HasSubstr("reaches beyond"));
-  EXPECT_THAT(said("box.bin"), HasSubstr("its data is in another file"));
+  EXPECT_MESSAGE(said("data:text/plain,a"));
+  EXPECT_MESSAGE(said(uri + "AA*A"));
+  EXPECT_MESSAGE(said(uri + "AAAA"));
+  EXPECT_MESSAGE(said("box.bin"));
 }
 
 TEST(GlbReader, TakesDescriptionsThatArePaddedWithZeros) {
@@ -254,13 +249,12 @@ TEST(GlbReader, RefusesDataThatIsntThere) {
   file.views.replace(file.views.find('{'), 1, "{\"buffer\": 1, ");
   std::string bytes = file.bytes();
   bytes.replace(bytes.find("\"POSITION\": 0"), 13, "\"POSITION\": 2");
-  EXPECT_THAT(messageOf([&] { readMesh("a.glb", bytes); }), HasSubstr("reaches beyond the file's"));
+  EXPECT_MESSAGE(messageOf([&] { readMesh("a.glb", bytes); }));
   file = BoxFile();
   file.accessors = R"(, {"componentType": 5126, "count": 8, "type": "VEC3"})";
   bytes = file.bytes();
   bytes.replace(bytes.find("\"POSITION\": 0"), 13, "\"POSITION\": 2");
-  EXPECT_THAT(messageOf([&] { readMesh("a.glb", bytes); }),
-              HasSubstr("its numbers aren't in the file, or are compressed"));
+  EXPECT_MESSAGE(messageOf([&] { readMesh("a.glb", bytes); }));
 }
 
 double secondsOfReading(const std::string& bytes, std::size_t triangles) {
@@ -285,9 +279,9 @@ TEST(GlbReader, TakesNoTimeForWhatItDoesntRead) {
   file.nodes = R"({"mesh": 0, "extras": )" + objects + "}";
   EXPECT_EQ(saidOf(file), "accepted");
   file.root = ", \"x\": [{\"a\" 1}]";
-  EXPECT_THAT(saidOf(file), HasSubstr("isn't JSON")) << "also where it isn't read";
+  EXPECT_MESSAGE(saidOf(file)) << "also where it isn't read";
   file = {.root = ", \"skins\": " + objects};
-  EXPECT_THAT(saidOf(file), HasSubstr("more than 2000000 lists and objects"));
+  EXPECT_MESSAGE(saidOf(file));
 }
 
 // 15 MB of boxes, with a node, a mesh, two accessors and two views each.

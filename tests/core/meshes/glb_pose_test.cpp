@@ -8,6 +8,7 @@
 #include "body/message_of.h"
 #include "meshes/glb_box.h"
 #include "meshes/mesh_readers.h"
+#include "messages.h"
 
 namespace rotatebook::meshes {
 namespace {
@@ -17,7 +18,6 @@ using testing::BoxFile;
 using testing::bytesOf;
 using ::testing::ElementsAre;
 using testing::forEachPoint;
-using ::testing::HasSubstr;
 
 body::MassProperties propertiesOf(const BoxFile& file) {
   return body::massPropertiesOf(readMesh("a.glb", file.bytes()).surface.mesh, 1);
@@ -77,19 +77,18 @@ TEST(GlbSkeleton, BlendsJoints) {
 
 TEST(GlbSkeleton, IsRefusedWhereItIsBroken) {
   BoxFile file{.nodes = R"({"mesh": 0, "skin": 0}, {})"};
-  EXPECT_THAT(saidOfPose(file), HasSubstr("skins has no number 0"));
+  EXPECT_MESSAGE(saidOfPose(file));
   file.root = R"(, "skins": [{"joints": [1]}])";
-  EXPECT_THAT(saidOfPose(file), HasSubstr("export it in its pose, without a skeleton"));
+  EXPECT_MESSAGE(saidOfPose(file));
   BoxFile other = skinned(R"({"mesh": 0, "skin": 0}, {"children": [1]})");
-  EXPECT_THAT(saidOfPose(other), HasSubstr("nested deeper than 100"));
+  EXPECT_MESSAGE(saidOfPose(other));
   other = skinned(R"({"mesh": 0, "skin": 0}, {})");
   other.root = R"(, "skins": [{"joints": []}])";
-  EXPECT_THAT(saidOfPose(other),
-              HasSubstr("follows joint 0 of a skin, counted from 0, but there are 0; "));
+  EXPECT_MESSAGE(saidOfPose(other));
   other.root = R"(, "skins": [{"joints": [7]}])";
-  EXPECT_THAT(saidOfPose(other), HasSubstr("nodes has no number 7"));
+  EXPECT_MESSAGE(saidOfPose(other));
   other.root = R"(, "skins": [{"joints": [1, 1], "inverseBindMatrices": 4}])";
-  EXPECT_THAT(saidOfPose(other), HasSubstr("fewer inverseBindMatrices than joints"));
+  EXPECT_MESSAGE(saidOfPose(other));
 }
 
 /// Returns the box with a morph target that moves its upper points (z = 1.5) up by 3.
@@ -113,10 +112,10 @@ TEST(GlbMorph, MovesPointsByItsWeights) {
 }
 
 TEST(GlbMorph, IsRefusedWhereItIsBroken) {
-  EXPECT_THAT(saidOfPose(morphed("[0, \"a\"]")), HasSubstr("weight of a morph target"));
+  EXPECT_MESSAGE(saidOfPose(morphed("[0, \"a\"]")));
   BoxFile file = morphed("[0, 1]");
   file.primitive = R"(, "targets": [{}, {"POSITION": 1}])";
-  EXPECT_THAT(saidOfPose(file), HasSubstr("accessor 1 isn't of the type VEC3"));
+  EXPECT_MESSAGE(saidOfPose(file));
 }
 
 // Zeros, of which the rows from 4 on are replaced.
@@ -134,7 +133,7 @@ TEST(GlbMorph, MayBeSparse) {
   EXPECT_DOUBLE_EQ(propertiesOf(file).volume, 18);
   BoxFile wrong = file;
   wrong.data[wrong.data.size() - values.size() - 4] = 9;  // a row that isn't there
-  EXPECT_THAT(saidOfPose(wrong), HasSubstr("changes a row that it doesn't have"));
+  EXPECT_MESSAGE(saidOfPose(wrong));
 }
 
 TEST(GlbReader, LeavesHiddenNodesOut) {
@@ -150,7 +149,7 @@ TEST(GlbReader, LeavesHiddenNodesOut) {
 TEST(GlbReader, RefusesCopiesThatItWouldMiss) {
   BoxFile file;
   file.nodes = R"({"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {}}}})";
-  EXPECT_THAT(saidOfPose(file), HasSubstr("copies of its mesh (EXT_mesh_gpu_instancing)"));
+  EXPECT_MESSAGE(saidOfPose(file));
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 #include <cstring>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "body/mass_properties.h"
 #include "body/message_of.h"
 #include "meshes/glb_files.h"
 #include "meshes/mesh_readers.h"
+#include "messages.h"
 
 namespace rotatebook::meshes {
 namespace {
@@ -16,7 +16,6 @@ using body::testing::messageOf;
 using testing::boxData;
 using testing::boxIn;
 using testing::glb;
-using ::testing::HasSubstr;
 using testing::kAccessors;
 
 TEST(GlbReader, ReadsTheBodiesOfAScene) {
@@ -57,36 +56,29 @@ TEST(GlbReader, SaysWhatItCannotRead) {
     return messageOf([&] { readGlb(glb(json, boxData())); });
   };
   EXPECT_EQ(withChange("VEC3", "VEC3"), "accepted");
-  EXPECT_THAT(withChange("VEC3", "VEC2"), HasSubstr("accessor 0 isn't of the type VEC3"));
-  EXPECT_THAT(withChange("5126", "5124"), HasSubstr("numbers of the type 5124 aren't read"));
-  EXPECT_THAT(withChange("5126", "5125"), HasSubstr("positions must be floats"));
-  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 9"), HasSubstr("reaches beyond"));
-  EXPECT_THAT(withChange("\"count\": 8", "\"count\": 7"),
-              HasSubstr("names point 7, counted from 0, but there are 7; export"));
-  EXPECT_THAT(withChange("\"count\": 36", "\"count\": 35"), HasSubstr("has 35 corners"));
-  EXPECT_THAT(withChange("\"byteLength\": 72", "\"byteLength\": 71"), HasSubstr("beyond"));
-  EXPECT_THAT(withChange("\"byteLength\": 96", "\"byteLength\": 96, \"byteStride\": 4"),
-              HasSubstr("accessor 0 has rows of 12 bytes that are 4 apart; export"));
-  EXPECT_THAT(withChange("\"byteOffset\": 96", "\"byteOffset\": 97"), HasSubstr("beyond"));
-  EXPECT_THAT(withChange("\"bufferView\": 1", "\"bufferView\": 2"), HasSubstr("no number 2"));
-  EXPECT_THAT(withChange("\"bufferView\": 1,", ""), HasSubstr("sparse"));
-  EXPECT_THAT(withChange("\"indices\": 1", "\"indices\": 1, \"mode\": 7"), HasSubstr("mode 7"));
-  EXPECT_THAT(withChange("\"POSITION\": 0", "\"NORMAL\": 0"), HasSubstr("no POSITION"));
-  EXPECT_THAT(withChange("\"indices\": 1", "\"indices\": 1, \"material\": 0"),
-              HasSubstr("materials has no number 0"));
-  EXPECT_THAT(withChange("{\"byteLength\": 168}", "{\"uri\": \"a.bin\"}"),
-              HasSubstr("in another file; export it as one .glb"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": 1}"), HasSubstr("meshes has no number 1"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": -1}"), HasSubstr("isn't a whole number"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"children\": [\"a\"]}"),
-              HasSubstr("isn't a whole number"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": 4294967296}"), HasSubstr("below 2^32"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"scale\": [1, 2]}"), HasSubstr("scale isn't a list"));
-  EXPECT_THAT(withChange("\"nodes\"", "\"scenes\": [{\"nodes\": [3]}], \"nodes\""),
-              HasSubstr("nodes has no number 3"));
-  EXPECT_THAT(withChange("\"nodes\": [{\"mesh\": 0}]",
-                         R"("scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}])"),
-              HasSubstr("nested deeper than 100, or in each other; export"));
+  EXPECT_MESSAGE(withChange("VEC3", "VEC2"));
+  EXPECT_MESSAGE(withChange("5126", "5124"));
+  EXPECT_MESSAGE(withChange("5126", "5125"));
+  EXPECT_MESSAGE(withChange("\"count\": 8", "\"count\": 9"));
+  EXPECT_MESSAGE(withChange("\"count\": 8", "\"count\": 7"));
+  EXPECT_MESSAGE(withChange("\"count\": 36", "\"count\": 35"));
+  EXPECT_MESSAGE(withChange("\"byteLength\": 72", "\"byteLength\": 71"));
+  EXPECT_MESSAGE(withChange("\"byteLength\": 96", "\"byteLength\": 96, \"byteStride\": 4"));
+  EXPECT_MESSAGE(withChange("\"byteOffset\": 96", "\"byteOffset\": 97"));
+  EXPECT_MESSAGE(withChange("\"bufferView\": 1", "\"bufferView\": 2"));
+  EXPECT_MESSAGE(withChange("\"bufferView\": 1,", ""));
+  EXPECT_MESSAGE(withChange("\"indices\": 1", "\"indices\": 1, \"mode\": 7"));
+  EXPECT_MESSAGE(withChange("\"POSITION\": 0", "\"NORMAL\": 0"));
+  EXPECT_MESSAGE(withChange("\"indices\": 1", "\"indices\": 1, \"material\": 0"));
+  EXPECT_MESSAGE(withChange("{\"byteLength\": 168}", "{\"uri\": \"a.bin\"}"));
+  EXPECT_MESSAGE(withChange("{\"mesh\": 0}", "{\"mesh\": 1}"));
+  EXPECT_MESSAGE(withChange("{\"mesh\": 0}", "{\"mesh\": -1}"));
+  EXPECT_MESSAGE(withChange("{\"mesh\": 0}", "{\"children\": [\"a\"]}"));
+  EXPECT_MESSAGE(withChange("{\"mesh\": 0}", "{\"mesh\": 4294967296}"));
+  EXPECT_MESSAGE(withChange("{\"mesh\": 0}", "{\"scale\": [1, 2]}"));
+  EXPECT_MESSAGE(withChange("\"nodes\"", "\"scenes\": [{\"nodes\": [3]}], \"nodes\""));
+  EXPECT_MESSAGE(withChange("\"nodes\": [{\"mesh\": 0}]",
+                            R"("scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}])"));
 }
 
 /// Returns the box with a material, and with texture coordinates that are its positions.
@@ -137,12 +129,11 @@ TEST(GlbReader, RefusesMaterialsThatAreNone) {
     return read.undrawable;
   };
   const std::string kTexture = R"({"baseColorTexture": {"index": 0}})";
-  EXPECT_THAT(messageFor(R"({"metallicFactor": 2})", "{}"),
-              HasSubstr("material 1: metallicFactor isn't a number from 0 to 1"));
-  EXPECT_THAT(messageFor(R"({"baseColorFactor": [1, "a"]})", "{}"), HasSubstr("baseColorFactor"));
-  EXPECT_THAT(messageFor(R"({"baseColorTexture": {"index": 1}})", "{}"), HasSubstr("no number 1"));
-  EXPECT_THAT(messageFor(kTexture, R"({"uri": "a.png"})"), HasSubstr("is in another file"));
-  EXPECT_THAT(messageFor(kTexture, R"({"bufferView": 9})"), HasSubstr("no number 9"));
+  EXPECT_MESSAGE(messageFor(R"({"metallicFactor": 2})", "{}"));
+  EXPECT_MESSAGE(messageFor(R"({"baseColorFactor": [1, "a"]})", "{}"));
+  EXPECT_MESSAGE(messageFor(R"({"baseColorTexture": {"index": 1}})", "{}"));
+  EXPECT_MESSAGE(messageFor(kTexture, R"({"uri": "a.png"})"));
+  EXPECT_MESSAGE(messageFor(kTexture, R"({"bufferView": 9})"));
 }
 
 // Each of a thousand nodes has the mesh, whose primitives have no points.
@@ -157,8 +148,7 @@ TEST(GlbReader, RefusesManyPrimitives) {
       ", \"meshes\": [{\"primitives\": " + repeated("{\"attributes\": {\"POSITION\": 0}}", 1000) +
       R"(}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 0, "type": "VEC3"}],
          "bufferViews": [{"buffer": 0}], "buffers": [{}]})";
-  EXPECT_THAT(messageOf([&] { readGlb(glb(json, "")); }),
-              HasSubstr("nodes and primitives are more than 100000"));
+  EXPECT_MESSAGE(messageOf([&] { readGlb(glb(json, "")); }));
 }
 
 TEST(GlbReader, HasAPictureOnce) {
@@ -177,21 +167,16 @@ TEST(GlbReader, HasAPictureOnce) {
 }
 
 TEST(GlbReader, RefusesWhatIsNoGlb) {
-  EXPECT_THAT(messageOf([] { readGlb(""); }), HasSubstr("not a .glb file"));
-  EXPECT_THAT(messageOf([] { readGlb("glTF\x01\0\0\0\0\0\0\0"); }), HasSubstr("not a .glb file"));
-  EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x01\0\0\0\0\0\0\0", 12)); }),
-              HasSubstr("of glTF 1; export it as glTF 2.0"));
-  EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\0\0\0\0", 12)); }),
-              HasSubstr("it says that it has 0 bytes, but has 12: others follow its end; export"));
-  EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\x0c\0\0\0", 12)); }),
-              HasSubstr("no description in JSON"));
-  EXPECT_THAT(messageOf([] { readGlb(glb("[1]", "")); }), HasSubstr("isn't JSON"));
-  EXPECT_THAT(messageOf([] { readGlb(glb("{", "")); }), HasSubstr("isn't JSON"));
-  EXPECT_THAT(messageOf([] { readGlb(glb(std::string(1 << 20, '['), "")); }),
-              HasSubstr("nested deeper than 64"));
+  EXPECT_MESSAGE(messageOf([] { readGlb(""); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb("glTF\x01\0\0\0\0\0\0\0"); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(std::string("glTF\x01\0\0\0\0\0\0\0", 12)); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\0\0\0\0", 12)); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\x0c\0\0\0", 12)); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(glb("[1]", "")); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(glb("{", "")); }));
+  EXPECT_MESSAGE(messageOf([] { readGlb(glb(std::string(1 << 20, '['), "")); }));
   const std::string whole = boxIn(R"("nodes": [{"mesh": 0}])");
-  EXPECT_THAT(messageOf([&] { readGlb(std::string_view(whole).substr(0, whole.size() - 1)); }),
-              HasSubstr("is it whole?"));
+  EXPECT_MESSAGE(messageOf([&] { readGlb(std::string_view(whole).substr(0, whole.size() - 1)); }));
 }
 
 }  // namespace

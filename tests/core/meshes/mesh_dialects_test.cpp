@@ -11,15 +11,14 @@
 #include "body/solids.h"
 #include "meshes/mesh_readers.h"
 #include "meshes/mesh_texts.h"
+#include "messages.h"
 
 namespace rotatebook::meshes {
 namespace {
 
 using body::testing::messageOf;
-using ::testing::AllOf;
 using testing::binaryStlOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using testing::objOf;
@@ -68,7 +67,7 @@ TEST(MeshReaders, TakeLinesThatEndInAnyWay) {
 TEST(MeshReaders, CountLinesThatEndInAnyWay) {
   for (const char* end : {"\r", "\r\n", "\n"}) {
     const std::string obj = replaced("v 0 0 0\n# a comment\nv 0 0 x\n", "\n", end);
-    EXPECT_THAT(messageOf([&] { readObj(obj); }), HasSubstr("line 3: z must be a number"));
+    EXPECT_MESSAGE(messageOf([&] { readObj(obj); }));
   }
 }
 
@@ -109,7 +108,7 @@ TEST(ObjReader, TakesLinesThatGoOn) {
   expectSameBox("a.obj", replaced(obj, "//2 \\", "//2\\"));
   expectSameBox("a.obj", replaced(obj, "\\\n", "\\ \r\n"));
   expectSameBox("a.obj", replaced(objOf(box()), "v ", "v\\\n\\\n "));
-  EXPECT_THAT(messageOf([] { readObj("v 0 \\\n 0 \\\n x\n"); }), HasSubstr("line 3: z must be"));
+  EXPECT_MESSAGE(messageOf([] { readObj("v 0 \\\n 0 \\\n x\n"); }));
 }
 
 // What goes on after other lines is no line of its own; a comment doesn't go on.
@@ -146,12 +145,11 @@ TEST(StlReader, TakesComments) {
 // Text that is longer decoded than in the file, which is too short for a binary one.
 TEST(StlReader, ReadsNoBinaryFileFromDecodedText) {
   const std::string bytes = std::string("\xff\xfe\x01\0", 4) + std::string(70, '\x08');
-  EXPECT_THAT(messageOf([&] { readStl(bytes); }), HasSubstr("not an STL file"));
+  EXPECT_MESSAGE(messageOf([&] { readStl(bytes); }));
 }
 
 TEST(StlReader, SaysHowATextBegins) {
-  EXPECT_THAT(messageOf([] { readStl("<!DOCTYPE html>" + std::string(200, ' ')); }),
-              AllOf(HasSubstr("it begins with \"<!doctype\""), HasSubstr("not an STL file")));
+  EXPECT_MESSAGE(messageOf([] { readStl("<!DOCTYPE html>" + std::string(200, ' ')); }));
 }
 
 TEST(StlReader, TakesATextWithoutAnEndAndNotesIt) {
@@ -195,9 +193,7 @@ TEST(StlReader, TakesSpareBytes) {
 
 TEST(StlReader, SaysHowManyBytesAreTooMany) {
   for (const char* comment : {"solid, it says", "made by hand"}) {
-    EXPECT_THAT(messageOf([&] { readStl(binaryStlOf(box(), comment) + "and more"); }),
-                HasSubstr("it says that it has 12 triangles of 50 bytes, but has 608 bytes of "
-                          "them, 8 too many: the number is wrong, or something else follows"));
+    EXPECT_MESSAGE(messageOf([&] { readStl(binaryStlOf(box(), comment) + "and more"); }));
   }
 }
 
@@ -215,8 +211,7 @@ std::string facesFirst(const std::string& ply) {
 TEST(PlyReader, TakesElementsInAnyOrder) {
   expectSameBox("a.ply", facesFirst(textPlyOf(box())));
   const std::string wrong = replaced(facesFirst(textPlyOf(box())), "3 0 4 6", "3 0 4 8");
-  EXPECT_THAT(messageOf([&] { readPly(wrong); }),
-              HasSubstr("line 12: a face names a vertex that doesn't exist; there are 8"));
+  EXPECT_MESSAGE(messageOf([&] { readPly(wrong); }));
 }
 
 // The sides of the box as one strip, its ends as two more.
@@ -247,11 +242,9 @@ TEST(PlyReader, TakesHeadersThatEndInAnyWay) {
 }
 
 TEST(PlyReader, SaysWhichNamesItMisses) {
-  EXPECT_THAT(
-      messageOf([] { readPly(replaced(textPlyOf(box()), "_indices", "_idx")); }),
-      HasSubstr("its faces have no list \"vertex_indices\"; name that of their corners so"));
-  EXPECT_THAT(messageOf([] { readPly(replaced(textPlyOf(box()), "double z", "double height")); }),
-              HasSubstr("its vertices have no property \"z\"; name their coordinates x, y and z"));
+  EXPECT_MESSAGE(messageOf([] { readPly(replaced(textPlyOf(box()), "_indices", "_idx")); }));
+  EXPECT_MESSAGE(
+      messageOf([] { readPly(replaced(textPlyOf(box()), "double z", "double height")); }));
 }
 
 }  // namespace

@@ -5,13 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "recording/refusal.h"
 
 namespace rotatebook::recording {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 std::string tableRefusal(const std::string& text) {
   return refusalOf([&] { CsvTable(text, "t.csv"); });
@@ -42,9 +42,7 @@ TEST(CsvTable, CommasInNumbersAreNoMatterOfUnits) {
                                    "000.5"}) {
     const std::string text = "a,b\n" + number + ",1\n";
     const CsvTable table(text, "t.csv");
-    EXPECT_THAT(refusalOf([&] { table.at(0, 0, "write the times in s or ms"); }),
-                HasSubstr("no finite number; write numbers without marks between digits, such as "
-                          "1000.5"));
+    EXPECT_MESSAGE(refusalOf([&] { table.at(0, 0, "write the times in s or ms"); }));
   }
 }
 
@@ -106,8 +104,7 @@ TEST(CsvTable, FindsItsHeaderBelowWhatElseIsThere) {
     EXPECT_EQ(table.at(0, 1), 2.5) << text;
     EXPECT_EQ(table.rows(), 1U) << text;
   }
-  EXPECT_THAT(tableRefusal("1,2\n2,3\n3,4\n4,5\na,b\n5,6\n"),
-              HasSubstr("t.csv:1: a row of numbers, but no line above it names its columns"));
+  EXPECT_MESSAGE(tableRefusal("1,2\n2,3\n3,4\n4,5\na,b\n5,6\n"));
 }
 
 TEST(CsvTable, TellsColumnsApartByTheLineAbove) {
@@ -119,17 +116,16 @@ TEST(CsvTable, TellsColumnsApartByTheLineAbove) {
 }
 
 TEST(CsvTable, SaysWhatIsNoText) {
-  EXPECT_THAT(tableRefusal("\xD0\xCF\x11\xE0..."), HasSubstr("a workbook (.xls)"));
-  EXPECT_THAT(tableRefusal("PK\x03\x04..."), HasSubstr("a ZIP archive"));
+  EXPECT_MESSAGE(tableRefusal("\xD0\xCF\x11\xE0..."));
+  EXPECT_MESSAGE(tableRefusal("PK\x03\x04..."));
   EXPECT_EQ(tableRefusal("\x1F\x8B\x08..."), "t.csv: compressed by gzip; unpack it");
-  EXPECT_THAT(tableRefusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n"),
-              HasSubstr("a pointer of git-lfs in the place of the table"));
-  EXPECT_THAT(tableRefusal("[{\"t\":0}]"), HasSubstr("JSON, which isn't read"));
-  EXPECT_THAT(tableRefusal("<!DOCTYPE html>\n<html>"), HasSubstr("a web page; download the table"));
+  EXPECT_MESSAGE(tableRefusal("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\n"));
+  EXPECT_MESSAGE(tableRefusal("[{\"t\":0}]"));
+  EXPECT_MESSAGE(tableRefusal("<!DOCTYPE html>\n<html>"));
   for (const std::string& begin :
        {std::string("\xFF\xFE\0\0t\0\0\0", 8), std::string("\0\0\xFE\xFF\0\0\0t", 8),
         std::string("t\0\0\0,\0\0\0", 8), std::string("\0\0\0t\0\0\0,", 8)})
-    EXPECT_THAT(tableRefusal(begin), HasSubstr("its text is in UTF-32; save it as UTF-8"));
+    EXPECT_MESSAGE(tableRefusal(begin));
   EXPECT_EQ(tableRefusal(std::string("a\0,\0b\0", 6)),
             "t.csv: its text is in UTF-16 without its byte order mark; save it as UTF-8 (\"CSV "
             "UTF-8\")");

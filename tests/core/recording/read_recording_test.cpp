@@ -4,16 +4,14 @@
 #include <numbers>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "recording/refusal.h"
 #include "recording/tumbling.h"
 
 namespace rotatebook::recording {
 namespace {
-
-using ::testing::HasSubstr;
 
 RecordedMotion motionOf(const std::string& text, const ReadOptions& options = {}) {
   return readRecording(text, "m.csv", options);
@@ -55,10 +53,7 @@ TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
             "simulation.rates, or with --rates");
   for (const char* unit : {"rad/min", "counts", "gon/s"}) {
     const std::string u = std::string(" (") + unit + ")";
-    EXPECT_THAT(
-        refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows),
-        HasSubstr("has rates in a unit that isn't read; write them in rad/s or deg/s, or, if "
-                  "they are, state it in simulation.rates, or with --rates"));
+    EXPECT_MESSAGE(refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows));
   }
   EXPECT_EQ(
       refusal("t,wx (rad/s),wy (deg/s),wz (rad/s)" + rows),
@@ -81,8 +76,7 @@ TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
       "m.csv: the column \"t (h)\" has times in a unit that isn't read; there are s, ms, us, ns "
       "and min: write them in one, or, if they are, state it in simulation.time_unit, or with "
       "--time-unit");
-  EXPECT_THAT(refusal("t,wx (rad/s),wy (rad/s),wz (rad/s)\nabc,0,0,9\n1,0,0,9\n"),
-              HasSubstr("\"abc\", which is no finite number; write seconds"));
+  EXPECT_MESSAGE(refusal("t,wx (rad/s),wy (rad/s),wz (rad/s)\nabc,0,0,9\n1,0,0,9\n"));
 }
 
 TEST(ReadRecording, TakesNamedColumns) {
@@ -90,8 +84,7 @@ TEST(ReadRecording, TakesNamedColumns) {
   const ReadOptions options{.columns = {{"time", "a"}, {"wx", "d"}, {"wy", "b"}, {"wz", "c"}},
                             .unit = "rad/s"};
   EXPECT_EQ(startOf(motionOf(text, options)), Eigen::Vector3d(3, 1, 2));
-  EXPECT_THAT(refusal(text, {.columns = {{"time", "e"}}}),
-              HasSubstr("no column \"e\", which is stated for time"));
+  EXPECT_MESSAGE(refusal(text, {.columns = {{"time", "e"}}}));
   EXPECT_EQ(refusal(text),
             "m.csv: no column of times among \"a\", \"b\", \"c\" and \"d\"; name it in "
             "simulation.columns, or with --column");
@@ -143,22 +136,20 @@ TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal(rates + "1,0,0,1\n1,0,0,1\n"),
             "m.csv:3: the time 1 s is that of the row before, too; write times that ascend, with "
             "all their digits, or leave such rows out");
-  EXPECT_THAT(refusal(rates + "1,0,0,1\n.5,0,0,1\n"),
-              HasSubstr("m.csv:3: the time 0.5 s isn't after that of the row before; write"));
+  EXPECT_MESSAGE(refusal(rates + "1,0,0,1\n.5,0,0,1\n"));
   const auto ofTime = [&](const std::string& cell) {
     return refusal(rates + cell + ",0,0,1\n" + cell + "1,0,0,1\n");
   };
   EXPECT_EQ(ofTime("12:03:04.5"),
             "m.csv:2: the column \"t (s)\" has \"12:03:04.5\", which is a time of day; write "
             "seconds, as since the start");
-  EXPECT_THAT(ofTime("2026-05-03"), HasSubstr("\"2026-05-03\", which is a date; write seconds"));
-  EXPECT_THAT(ofTime("3/5/2026"), HasSubstr("which is a date; write seconds"));
-  EXPECT_THAT(ofTime("2026-05-03T12:03:04.5Z"), HasSubstr("which is a date with a time of day"));
-  EXPECT_THAT(ofTime("soon"), HasSubstr("which is no finite number; write seconds"));
+  EXPECT_MESSAGE(ofTime("2026-05-03"));
+  EXPECT_MESSAGE(ofTime("3/5/2026"));
+  EXPECT_MESSAGE(ofTime("2026-05-03T12:03:04.5Z"));
+  EXPECT_MESSAGE(ofTime("soon"));
   EXPECT_EQ(refusal(rates + "1,0,0,1\n"), "m.csv: a single row; a motion takes at least two");
   EXPECT_EQ(refusal(rates + "1,0,0,1\n2,0,0,2e9\n"), "m.csv:3: the rate is over 1e9 rad/s");
-  EXPECT_THAT(refusal(rates + "1,0,0,1\n2000,0,0,1\n"),
-              HasSubstr("m.csv:3: the body turns by more than 1000 rad since the row before"));
+  EXPECT_MESSAGE(refusal(rates + "1,0,0,1\n2000,0,0,1\n"));
   EXPECT_EQ(refusal("t,qw,qx,qy,qz\n1,1,0,0,0\n2,1,1,0,0\n"),
             "m.csv:3: the quaternion's norm is 1.414, not 1");
   EXPECT_EQ(refusal("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n"
@@ -167,7 +158,7 @@ TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(refusal("t,qw,qx,qy\n1,1,0,0\n"),
             "m.csv: no column for qz among \"t\", \"qw\", \"qx\" and \"qy\"; name it in "
             "simulation.columns, or with --column");
-  EXPECT_THAT(refusal("t,x,y,z\n1,1,0,0\n"), HasSubstr("neither attitudes (qw to qz"));
+  EXPECT_MESSAGE(refusal("t,x,y,z\n1,1,0,0\n"));
 }
 
 }  // namespace

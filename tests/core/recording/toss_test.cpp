@@ -9,17 +9,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "recording/refusal.h"
 #include "recording/tosses.h"
 
 namespace rotatebook::recording {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 const double kRatios[2] = {kBook[1] / kBook[2], kBook[0] / kBook[2]};
 
@@ -84,14 +83,9 @@ TEST(Toss, DoesntBlameTheMotionForErrorsOfTheGyroscope) {
     const InertialRecording recording = tosses.toss(spin, Eigen::Matrix3d::Identity(), moments);
     return refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.22, .to = 5.98}); });
   };
-  EXPECT_THAT(
-      refusalWith(0.03, {0.3, 12, 0.8}),
-      AllOf(HasSubstr("t.csv: the motion doesn't tell the inertia: "),
-            HasSubstr(" times the noise at rest, as where a hand still holds it, an axis has "
-                      "another scale"),
-            Not(HasSubstr("toss the body"))));
-  EXPECT_THAT(refusalWith(0, {0, 0, 10}), HasSubstr("toss the body so that it tumbles"));
-  EXPECT_THAT(refusalWith(0.03, {0, 0, 10}), HasSubstr("toss the body so that it tumbles"));
+  EXPECT_MESSAGE(refusalWith(0.03, {0.3, 12, 0.8}));
+  EXPECT_MESSAGE(refusalWith(0, {0, 0, 10}));
+  EXPECT_MESSAGE(refusalWith(0.03, {0, 0, 10}));
 }
 
 TEST(Toss, KeepsItsIntervalsToWhatBodiesCanHave) {
@@ -113,8 +107,7 @@ TEST(Toss, RefusesWhatIsNoFreeFlight) {
   const InertialRecording recording = tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity());
   // With the swing of the hand before and the catch
   for (const double to : {6.03, 6.15}) {
-    EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.1, .to = to}); }),
-                HasSubstr(" s it isn't a free flight: "));
+    EXPECT_MESSAGE(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.1, .to = to}); }));
   }
 }
 
@@ -123,8 +116,7 @@ TEST(Toss, RefusesAGyroscopeThatClips) {
   InertialRecording recording = tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity());
   for (InertialReading& one : recording.readings)
     one.rate.angularVelocity = one.rate.angularVelocity.cwiseMin(8).cwiseMax(-8);
-  EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {}); }),
-              HasSubstr("t.csv: the gyroscope clips at 458 deg/s about x"));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(recording, "t.csv", {}); }));
 }
 
 /// Returns a flight of the book at 200 Hz, whose rates are made what a gyroscope gives.
@@ -150,14 +142,12 @@ TEST(Toss, DoesntTakeRoundedRatesForClipped) {
 TEST(Toss, RefusesRoundedRatesThatAreClipped) {
   const double step = 3 * kDegree;
   const auto given = [&](double rate) { return std::round(std::min(rate, 8.5) / step) * step; };
-  EXPECT_THAT(refusalOf([&] { fitToss(flightAs(given), "t.csv", {.from = 0, .to = 0.79}); }),
-              HasSubstr("t.csv: the gyroscope clips at 486 deg/s about "));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(flightAs(given), "t.csv", {.from = 0, .to = 0.79}); }));
 }
 
 TEST(Toss, RefusesASteadySpinThatIsClipped) {
   const auto clipped = [](double rate) { return std::min(rate, 8.9); };
-  EXPECT_THAT(refusalOf([&] { fitToss(flightAs(clipped), "t.csv", {.from = 0, .to = 0.1}); }),
-              HasSubstr("t.csv: the gyroscope clips at 510 deg/s about x"));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(flightAs(clipped), "t.csv", {.from = 0, .to = 0.1}); }));
 }
 
 TEST(Toss, TakesAttitudes) {
@@ -192,25 +182,21 @@ TEST(Toss, RefusesAMotionThatDoesntTell) {
   Tosses tosses;
   // A steady spin about the axis of the largest moment
   const InertialRecording steady = tosses.toss({0, 0, 10}, Eigen::Matrix3d::Identity());
-  EXPECT_THAT(refusalOf([&] { fitToss(steady, "t.csv", {}); }),
-              HasSubstr("t.csv: the motion doesn't tell the inertia: "));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(steady, "t.csv", {}); }));
 }
 
 TEST(Toss, RefusesMomentsThatNoBodyHas) {
   Tosses tosses;
   const InertialRecording recording =
       tosses.toss({1, 9, 2}, Eigen::Matrix3d::Identity(), {0.001, 0.002, 0.004});
-  EXPECT_THAT(
-      refusalOf([&] { fitToss(recording, "t.csv", {}); }),
-      HasSubstr("but those of a body add up to 1 or more; is a column's sign or scale wrong?"));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(recording, "t.csv", {}); }));
 }
 
 TEST(Toss, TakesAFlightThatBeginsAtRest) {
   Tosses tosses;
   InertialRecording recording = tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity());
   recording.readings[120].rate.angularVelocity.setZero();
-  EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.2, .to = 5.95}); }),
-              Not(HasSubstr("nan")));
+  EXPECT_MESSAGE(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.2, .to = 5.95}); }));
 }
 
 TEST(Toss, RefusesARecordingWithoutAFlight) {

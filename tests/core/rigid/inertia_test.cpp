@@ -4,10 +4,10 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 
 namespace rotatebook::rigid {
 namespace {
@@ -15,7 +15,6 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using ::testing::HasSubstr;
 
 constexpr double kInertiaBound = 1e-14;  // relative; measured 1.4e-15
 
@@ -70,24 +69,18 @@ TEST(CheckInertia, TakesWhatABodyCanHave) {
 }
 
 TEST(CheckInertia, RefusesWhatNoBodyHas) {
-  EXPECT_THAT(refusalOf(diagonal(1, 1, 2.001)),
-              HasSubstr("a principal moment can't exceed the sum of the other two, but its "
-                        "principal moments are 1, 1 and 2.001"));
-  EXPECT_THAT(refusalOf(diagonal(1, 1, 2 + 1e-10)), HasSubstr("no body has this inertia"));
-  EXPECT_THAT(refusalOf(diagonal(0, 1, 1)), HasSubstr("must be positive definite"));
-  EXPECT_THAT(refusalOf(diagonal(-1, 1, 1)), HasSubstr("must be positive definite"));
+  EXPECT_MESSAGE(refusalOf(diagonal(1, 1, 2.001)));
+  EXPECT_MESSAGE(refusalOf(diagonal(1, 1, 2 + 1e-10)));
+  EXPECT_MESSAGE(refusalOf(diagonal(0, 1, 1)));
+  EXPECT_MESSAGE(refusalOf(diagonal(-1, 1, 1)));
   Matrix3d indefinite;
   indefinite << 1, 2, 0, 2, 1, 0, 0, 0, 1;
-  EXPECT_THAT(refusalOf(indefinite), HasSubstr("principal moments are -1, 1 and 3"));
+  EXPECT_MESSAGE(refusalOf(indefinite));
 }
 
 TEST(CheckInertia, RefusesWhatIsTooSmallToComputeWith) {
-  EXPECT_THAT(
-      refusalOf(diagonal(1e-13, 1, 1)),
-      HasSubstr("smallest principal moment must be more than 1e-12 of the largest, but its"));
-  EXPECT_THAT(refusalOf(1e-31 * diagonal(1, 1, 1)),
-              HasSubstr("principal moments of 1e-30 kg m^2 or more, but its principal moments are "
-                        "1e-31, 1e-31 and 1e-31"));
+  EXPECT_MESSAGE(refusalOf(diagonal(1e-13, 1, 1)));
+  EXPECT_MESSAGE(refusalOf(1e-31 * diagonal(1, 1, 1)));
 }
 
 TEST(CheckInertia, ForgivesRoundingAlone) {
@@ -95,13 +88,13 @@ TEST(CheckInertia, ForgivesRoundingAlone) {
   tensor(0, 1) = 1e-14;
   EXPECT_EQ(refusalOf(tensor), "");
   tensor(0, 1) = 1e-10;
-  EXPECT_THAT(refusalOf(tensor), HasSubstr("must be symmetric"));
+  EXPECT_MESSAGE(refusalOf(tensor));
 }
 
 TEST(CheckInertia, RefusesAsymmetryAndNamesTheEntries) {
   Matrix3d tensor = diagonal(3, 4, 5);
   tensor(0, 2) = 0.1;
-  EXPECT_THAT(refusalOf(tensor), HasSubstr("must be symmetric, but its xz entries are 0.1 and 0"));
+  EXPECT_MESSAGE(refusalOf(tensor));
 }
 
 }  // namespace

@@ -2,10 +2,12 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/parse.h"
 
 namespace rotatebook::scene {
@@ -112,48 +114,37 @@ TEST(BodySection, RefusesPartsThatTakeAwayWhatIsNotThere) {
         hole);
   };
   EXPECT_EQ(withHole("density = -700\ndimensions = { radius = 0.4, height = 1 }"), "no error");
-  EXPECT_THAT(
-      withHole("density = -700\ndimensions = { radius = 0.4, height = 1.2 }"),
-      HasSubstr(
-          "a.toml:1:1: part 2 takes away more than is there: somewhere in it the densities "
-          "add up to -700 kg/m^3; move it into the others, or make it smaller or less dense"));
-  EXPECT_THAT(withHole("density = -800\ndimensions = { radius = 0.4, height = 1 }"),
-              HasSubstr("add up to -100 kg/m^3"));
+  EXPECT_MESSAGE(withHole("density = -700\ndimensions = { radius = 0.4, height = 1.2 }"));
+  EXPECT_MESSAGE(withHole("density = -800\ndimensions = { radius = 0.4, height = 1 }"));
 }
 
 TEST(BodySection, RefusesWhatIsNoBody) {
-  const auto refuses = [](const std::string& lines, const std::string& problem) {
-    EXPECT_THAT(errorOf(lines), HasSubstr(problem)) << lines;
-  };
-  refuses("[body]\nshape = \"t-handel\"", "did you mean \"t-handle\"?");
-  refuses("[body]\nshape = \"disc\"\ndimensions = { radus = 1 }", "did you mean \"radius\"?");
-  refuses("[body]\nshape = \"disc\"\ndimensions = { radius = 0 }", "a.toml:3:25:");
-  refuses("[body]\nshape = \"disc\"\nsize = [1, 1, 1]", "body.size follows from");
-  refuses("[body]\nshape = \"disc\"\ninertia = [1, 1, 1]", "body.inertia follows from");
-  refuses("[body]\nshape = \"disc\"\nmass = 1\ndensity = 1", "keep one");
-  refuses("[body]\ndensity = 1", "body.density belongs to");
-  refuses("[body]\ndimensions = { x = 1 }", "body.dimensions belongs to");
-  refuses("[body]\nshape = \"disc\"\nunit = \"mm\"", "body.unit belongs to");
-  refuses("[body]\nshape = \"racket\"\ndimensions = { frame = 1 }", "smaller than its head");
-  refuses("[[body.part]]\nplace = [0, 0, 0]", "needs a shape");
-  refuses("[[body.part]]\nshape = \"book\"", "can't be the book");
-  refuses("[[body.part]]\nshape = \"box\"\ndensity = 0", "but not 0");
-  refuses("[[body.part]]\nshape = \"box\"\ndensity = -1", "negative densities");
-  refuses(std::string(kHandle) + "[simulation]\nmodel = \"particles\"", "isn't a box");
-  refuses("[body]\nmesh = \"a.stl\"\ndensity = 1", "no file is read here");
+  for (const std::string& lines : std::vector<std::string>{
+           "[body]\nshape = \"t-handel\"", "[body]\nshape = \"disc\"\ndimensions = { radus = 1 }",
+           "[body]\nshape = \"disc\"\ndimensions = { radius = 0 }",
+           "[body]\nshape = \"disc\"\nsize = [1, 1, 1]",
+           "[body]\nshape = \"disc\"\ninertia = [1, 1, 1]",
+           "[body]\nshape = \"disc\"\nmass = 1\ndensity = 1", "[body]\ndensity = 1",
+           "[body]\ndimensions = { x = 1 }", "[body]\nshape = \"disc\"\nunit = \"mm\"",
+           "[body]\nshape = \"racket\"\ndimensions = { frame = 1 }",
+           "[[body.part]]\nplace = [0, 0, 0]", "[[body.part]]\nshape = \"book\"",
+           "[[body.part]]\nshape = \"box\"\ndensity = 0",
+           "[[body.part]]\nshape = \"box\"\ndensity = -1",
+           std::string(kHandle) + "[simulation]\nmodel = \"particles\"",
+           "[body]\nmesh = \"a.stl\"\ndensity = 1"}) {
+    EXPECT_MESSAGE(errorOf(lines)) << lines;
+  }
 }
 
 TEST(BodySection, RefusesWrongMeshes) {
   constexpr const char* kStated = "[body]\nmesh = \"cube.obj\"\ndensity = 1";
   EXPECT_EQ(meshErrorOf(kStated), "no error");
-  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.obj\""), HasSubstr("needs body.density"));
-  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.fbx\"\ndensity = 1"), HasSubstr(".glb"));
-  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"/cube.obj\"\ndensity = 1"), HasSubstr("relative"));
-  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.obj\"\ndensity = 1\nshape = \"box\""),
-              HasSubstr("keep one"));
-  EXPECT_THAT(meshErrorOf("[body]\nmesh = { file = \"a\", volume = 1 }\ndensity = 1"),
-              HasSubstr("must be the name of a file"));
-  EXPECT_THAT(meshErrorOf(kStated, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("open"));
+  EXPECT_MESSAGE(meshErrorOf("[body]\nmesh = \"cube.obj\""));
+  EXPECT_MESSAGE(meshErrorOf("[body]\nmesh = \"cube.fbx\"\ndensity = 1"));
+  EXPECT_MESSAGE(meshErrorOf("[body]\nmesh = \"/cube.obj\"\ndensity = 1"));
+  EXPECT_MESSAGE(meshErrorOf("[body]\nmesh = \"cube.obj\"\ndensity = 1\nshape = \"box\""));
+  EXPECT_MESSAGE(meshErrorOf("[body]\nmesh = { file = \"a\", volume = 1 }\ndensity = 1"));
+  EXPECT_MESSAGE(meshErrorOf(kStated, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
 }
 
 TEST(BodySection, ASpinIsAboutTheAxisOfAMoment) {
@@ -177,11 +168,10 @@ TEST(BodySection, ASpinAboutAnAxisIsPrintedAndTilted) {
   EXPECT_THAT(sceneText(scene), HasSubstr("{ about = \"middle\", value = 4.0 }"));
   EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motions[0].initial, scene.motions[0].initial);
   EXPECT_NEAR(scene.motions[0].initial.tilted().x(), 4 * std::sin(0.01), 1e-15);
-  EXPECT_THAT(errorOfText(std::string(kHandle) + "[initial]\nangular_velocity = { about = "
-                                                 "\"middle\", value = 4 }\ntilt = [0.1, \"y\"]\n"),
-              HasSubstr("points along that axis already"));
-  EXPECT_THAT(errorOfText("[initial]\nangular_velocity = { about = \"midle\", value = 4 }\n"),
-              HasSubstr("did you mean \"middle\"?"));
+  EXPECT_MESSAGE(errorOfText(std::string(kHandle) +
+                             "[initial]\nangular_velocity = { about = "
+                             "\"middle\", value = 4 }\ntilt = [0.1, \"y\"]\n"));
+  EXPECT_MESSAGE(errorOfText("[initial]\nangular_velocity = { about = \"midle\", value = 4 }\n"));
 }
 
 TEST(InitialSection, StatesTheAttitudeAsAQuaternionOrAnAngleAboutAnAxis) {
@@ -195,11 +185,8 @@ TEST(InitialSection, StatesTheAttitudeAsAQuaternionOrAnAngleAboutAnAxis) {
   const Eigen::Vector4d quarter(std::sqrt(0.5), 0, std::sqrt(0.5), 0);
   EXPECT_LT((attitude("[\"90 deg\", \"y\"]") - quarter).norm(), 1e-15);  // measured 1.1e-16
   for (const char* wrong : {"[0, 0, 0, 0]", "[1, 0, 0]", "\"90 deg\""}) {
-    EXPECT_THAT(
-        errorOfText(std::string("[initial]\nangular_velocity = [1, 0, 0]\nattitude = ") + wrong +
-                    "\n"),
-        HasSubstr("initial.attitude must be the quaternion [w, x, y, z], or an angle and an "
-                  "axis, such as [\"90 deg\", \"x\"], not "))
+    EXPECT_MESSAGE(errorOfText(std::string("[initial]\nangular_velocity = [1, 0, 0]\nattitude = ") +
+                               wrong + "\n"))
         << wrong;
   }
 }

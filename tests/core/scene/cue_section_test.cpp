@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 
@@ -73,17 +74,12 @@ TEST(Cues, AreLeftOutByAnEmptyList) {
 
 TEST(Cues, MustBeSomething) {
   EXPECT_EQ(errorOf("[[cue]]\nat = 2"), "a.toml:1:1: [[cue]] needs text, hold, chapter or move");
-  EXPECT_THAT(errorOf("[[cue]]\nat = 2\nmove = { over = 3 }"),
-              HasSubstr("cue.move needs position, target, field_of_view_deg or orbit"));
-  EXPECT_THAT(errorOf("[[cue]]\nat = 'flip'\ntext = 'a'"),
-              AllOf(HasSubstr("a.toml:2:6: cue.at must be a time of the motion"),
-                    HasSubstr("such as \"flip 1\"")));
+  EXPECT_MESSAGE(errorOf("[[cue]]\nat = 2\nmove = { over = 3 }"));
+  EXPECT_MESSAGE(errorOf("[[cue]]\nat = 'flip'\ntext = 'a'"));
   for (const char* at :
        {"flip 0", "end 1", "burst of", "x before end", "-1 s before end", "flips 1"})
-    EXPECT_THAT(errorOf("[[cue]]\nat = '" + std::string(at) + "'\ntext = 'a'"),
-                HasSubstr("must be a time of the motion"))
-        << at;
-  EXPECT_THAT(errorOf("[[caption]]\ntext = 'a'"), HasSubstr("[[cue]]"));
+    EXPECT_MESSAGE(errorOf("[[cue]]\nat = '" + std::string(at) + "'\ntext = 'a'")) << at;
+  EXPECT_MESSAGE(errorOf("[[caption]]\ntext = 'a'"));
 }
 
 TEST(Cues, MoveTheCamera) {

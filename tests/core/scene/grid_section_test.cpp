@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/key_rows.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
@@ -14,10 +15,7 @@
 namespace rotatebook::scene {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 constexpr const char* kTilted = "[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n";
 constexpr const char* kColumns =
@@ -119,9 +117,7 @@ TEST(GridSection, NamesItsAxesWithUnits) {
 TEST(GridSection, RefusesKeysThatChangeNothing) {
   EXPECT_EQ(errorOfGrid("columns = { key = 'simulation.substep', values = [1, 2] }"),
             "a.toml:5:19: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
-  EXPECT_THAT(errorOfGrid("columns = { key = 'look.supersample', values = [1, 2] }"),
-              AllOf(StartsWith("a.toml:5:19: grid.columns.key must be a key of"),
-                    HasSubstr("\"simulation.substeps\"")));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'look.supersample', values = [1, 2] }"));
   EXPECT_EQ(errorOfGrid("columns = { key = 'simulation.stiffness', values = [1, 2] }"),
             "a.toml:5:19: simulation.stiffness is of the model \"particles\" alone; all books "
             "would be the same");
@@ -130,14 +126,10 @@ TEST(GridSection, RefusesKeysThatChangeNothing) {
                         "columns = { key = 'simulation.substeps', values = [1, 2] }"),
             "a.toml:7:19: simulation.substeps: the model \"exact\" takes no steps; all books "
             "would be the same");
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.time_per_frame', values = [1, 2] }"),
-              HasSubstr("all share one clock; vary simulation.step"));
-  EXPECT_THAT(
-      errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)),
-      HasSubstr("initial.tilt is a part of initial.tilt, which the scene doesn't state"));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'initial.angular_momentum.0', values = [1, 2] }"),
-              HasSubstr("initial.angular_momentum.0 is a part of initial.angular_momentum, which "
-                        "the scene doesn't state; state it"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.time_per_frame', values = [1, 2] }"));
+  EXPECT_MESSAGE(
+      errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'initial.angular_momentum.0', values = [1, 2] }"));
   EXPECT_EQ(gridOf("rows = { key = 'initial.angular_momentum', "
                    "values = [{ label = 'm', value = [0, 0, 1] }] }\n"
                    "columns = { key = 'initial.angular_momentum.0', values = [1, 2] }")
@@ -147,20 +139,16 @@ TEST(GridSection, RefusesKeysThatChangeNothing) {
 }
 
 TEST(GridSection, RefusesValues) {
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 0] }"),
-              AllOf(StartsWith("a.toml:5:"), HasSubstr("simulation.substeps must be")));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 'two'] }"),
-              HasSubstr("simulation.substeps must be"));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [] }"),
-              HasSubstr("grid.columns.values must be a list"));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = [2, 2] }"),
-              HasSubstr("has 2 twice"));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', from = 8, to = 1, "
-                          "count = 3 }"),
-              HasSubstr("runs from 8.0 to 1.0; from must be less than to"));
-  EXPECT_THAT(errorOfGrid("columns = { key = 'initial.tilt', from = 0, to = 1, "
-                          "count = 3, scale = 'log' }"),
-              HasSubstr("is logarithmic, which needs from over 0, not 0.0"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 0] }"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.substeps', values = [1, 'two'] }"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.substeps', values = [] }"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.substeps', values = [2, 2] }"));
+  EXPECT_MESSAGE(
+      errorOfGrid("columns = { key = 'simulation.substeps', from = 8, to = 1, "
+                  "count = 3 }"));
+  EXPECT_MESSAGE(
+      errorOfGrid("columns = { key = 'initial.tilt', from = 0, to = 1, "
+                  "count = 3, scale = 'log' }"));
 }
 
 TEST(GridSection, RefusesMoreBooksThanHaveRoom) {
@@ -170,47 +158,36 @@ TEST(GridSection, RefusesMoreBooksThanHaveRoom) {
                    "1e-6, 1e-7, 1e-8] }")
                 .motions.size(),
             96U);
-  EXPECT_THAT(errorOfGrid("columns = { key = 'simulation.substeps', values = " + twelve +
-                          " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "
-                          "1e-5, 1e-6, 1e-7, 1e-8, 1e-9] }"),
-              HasSubstr("12 columns and 9 rows, 108 books; the limit is 96"));
-  EXPECT_THAT(errorOfGrid("rows = { key = 'simulation.substeps', from = 1, to = 13, "
-                          "count = 13 }"),
-              HasSubstr("grid.rows has 13 values; a side of a grid has up to 12"));
-  EXPECT_THAT(errorOfGrid("rows = { key = 'simulation.substeps', values = [4] }"),
-              HasSubstr("a single book"));
-  EXPECT_THAT(
-      errorOfText(std::string(kTilted) + "[clip]\nduration = 9999\nfps = 240\n[grid]\n" + kColumns),
-      HasSubstr("frames together; the limit is 6000000"));
+  EXPECT_MESSAGE(errorOfGrid("columns = { key = 'simulation.substeps', values = " + twelve +
+                             " }\nrows = { key = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "
+                             "1e-5, 1e-6, 1e-7, 1e-8, 1e-9] }"));
+  EXPECT_MESSAGE(
+      errorOfGrid("rows = { key = 'simulation.substeps', from = 1, to = 13, "
+                  "count = 13 }"));
+  EXPECT_MESSAGE(errorOfGrid("rows = { key = 'simulation.substeps', values = [4] }"));
+  EXPECT_MESSAGE(errorOfText(std::string(kTilted) + "[clip]\nduration = 9999\nfps = 240\n[grid]\n" +
+                             kColumns));
 }
 
 TEST(GridSection, RefusesWhatDoesNotGoTogether) {
   const std::string grid = "[grid]\n" + std::string(kColumns);
-  EXPECT_THAT(errorOfText(kTilted + grid + "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'"),
-              HasSubstr("both [[panel]] and [grid]"));
-  EXPECT_THAT(errorOfText(kTilted + grid + "[study]\nsteps = [1, 2]"),
-              HasSubstr("both [study] and [grid]"));
-  EXPECT_THAT(errorOfText(kTilted + grid +
-                          "[map]\nx = { key = 'time', from = 0, to = 1 }\n"
-                          "y = { key = 'body.mass', from = 1, to = 2 }\nmeasure = 'tilt_deg'"),
-              HasSubstr("both [map] and [grid]"));
-  EXPECT_THAT(errorOfGrid(""), HasSubstr("[grid] needs columns or rows"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "rows = { key = 'initial.tilt.0', values = "
-                                                  "[1, 2] }"),
-              HasSubstr("grid.rows.key is grid.columns.key, too"));
+  EXPECT_MESSAGE(errorOfText(kTilted + grid + "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'"));
+  EXPECT_MESSAGE(errorOfText(kTilted + grid + "[study]\nsteps = [1, 2]"));
+  EXPECT_MESSAGE(errorOfText(kTilted + grid +
+                             "[map]\nx = { key = 'time', from = 0, to = 1 }\n"
+                             "y = { key = 'body.mass', from = 1, to = 2 }\nmeasure = 'tilt_deg'"));
+  EXPECT_MESSAGE(errorOfGrid(""));
+  EXPECT_MESSAGE(errorOfGrid(std::string(kColumns) + "rows = { key = 'initial.tilt.0', values = "
+                                                     "[1, 2] }"));
 }
 
 TEST(GridSection, RefusesExpectationsOfNoCell) {
-  EXPECT_THAT(
-      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', column = 0.5, min = 1 }"),
-      HasSubstr("column = 0.5 is no value of grid.columns"));
-  EXPECT_THAT(
-      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', row = 1, min = 1 }"),
-      HasSubstr("needs grid.rows"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { column = 0.1, min = 1 }"),
-              HasSubstr("grid.expect needs of"));
-  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns' }"),
-              HasSubstr("needs at least one of min, max, rises_to and falls_to"));
+  EXPECT_MESSAGE(
+      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', column = 0.5, min = 1 }"));
+  EXPECT_MESSAGE(
+      errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns', row = 1, min = 1 }"));
+  EXPECT_MESSAGE(errorOfGrid(std::string(kColumns) + "expect = { column = 0.1, min = 1 }"));
+  EXPECT_MESSAGE(errorOfGrid(std::string(kColumns) + "expect = { of = 'half_turns' }"));
 }
 
 TEST(GridSection, RefusesKeysThatCannotVary) {

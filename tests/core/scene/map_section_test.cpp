@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/motion_numbers.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
@@ -14,9 +15,7 @@
 namespace rotatebook::scene {
 namespace {
 
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 constexpr const char* kX =
     "x = { key = 'simulation.substeps', from = 1, to = 100, scale = 'log' }\n";
@@ -121,19 +120,11 @@ TEST(MapFilm, ZoomsFromTheWholeMapIntoItsPart) {
 }
 
 TEST(MapFilm, IsRefusedWhereItCantBe) {
-  EXPECT_THAT(errorOfMap("film = { x = [10, 20] }"),
-              StartsWith("a.toml:5:8: map.film needs map.colors with from and to"));
-  EXPECT_THAT(errorOfMap(kColours + std::string("film = { duration = 3 }")),
-              StartsWith("a.toml:6:8: map.film needs x or y"));
-  EXPECT_THAT(
-      errorOfMap(kColours + std::string("film = { x = [20, 10] }")),
-      HasSubstr(
-          "map.film.x is from 20.0 to 10.0; it must ascend within the axis, from 1.0 to 100.0"));
-  EXPECT_THAT(
-      errorOfMap(kColours + std::string("film = { y = [1, 3] }")),
-      HasSubstr("map.film.y is from 1.0 to 3.0; it must ascend within the axis, from 0.5 to 2.0"));
-  EXPECT_THAT(errorOfMap(kColours + std::string("film = { x = [1, 3], duration = 0 }")),
-              HasSubstr("a time from 0.1 to 600 s"));
+  EXPECT_MESSAGE(errorOfMap("film = { x = [10, 20] }"));
+  EXPECT_MESSAGE(errorOfMap(kColours + std::string("film = { duration = 3 }")));
+  EXPECT_MESSAGE(errorOfMap(kColours + std::string("film = { x = [20, 10] }")));
+  EXPECT_MESSAGE(errorOfMap(kColours + std::string("film = { y = [1, 3] }")));
+  EXPECT_MESSAGE(errorOfMap(kColours + std::string("film = { x = [1, 3], duration = 0 }")));
 }
 
 TEST(MapSection, TakesNumbersWithinValuesAndSpecialAxes) {
@@ -160,41 +151,30 @@ TEST(MapSection, RoundsWholeNumbers) {
 TEST(MapSection, RefusesKeysThatTakeNoNumber) {
   EXPECT_EQ(errorOfAxis("key = 'simulation.substep', from = 1, to = 2"),
             "a.toml:2:13: there is no key simulation.substep; did you mean \"substeps\"?");
-  EXPECT_THAT(
-      errorOfAxis("key = 'simulations.substeps', from = 1, to = 2"),
-      StartsWith("a.toml:2:13: simulations.substeps is no key of \"body\", \"simulation\", "
-                 "\"initial\" or \"nudge\", such as \"simulation.substeps\"; did you mean"));
-  EXPECT_THAT(errorOfAxis("key = 'simulation.model', from = 1, to = 2"),
-              StartsWith("a.toml:2:13: simulation.model must be "));
-  EXPECT_THAT(errorOfAxis("key = 'initial.tilt.0', from = 1, to = 2"),
-              HasSubstr("initial.tilt.0 is a part of initial.tilt, which the scene doesn't state"));
-  EXPECT_THAT(errorOfAxis("key = 'initial.angular_velocity.3', from = 1, to = 2"),
-              EndsWith("initial.angular_velocity has the numbers 0, 1 and 2, and no \"3\""));
-  EXPECT_THAT(errorOfAxis("key = 'nudge.0.at', from = 1, to = 2"),
-              HasSubstr("must name one of the scene's 0 nudges"));
-  EXPECT_THAT(errorOfAxis("key = 'simulation.stiffness', from = 1, to = 2"),
-              HasSubstr("is of the model \"particles\" alone; all runs would be the same"));
-  EXPECT_THAT(errorOf("[simulation]\nmodel = 'exact'\n" + withAxes("measure = 'half_turns'")),
-              HasSubstr("the model \"exact\" takes no steps; all runs would be the same"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'simulations.substeps', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'simulation.model', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'initial.tilt.0', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'initial.angular_velocity.3', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'nudge.0.at', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'simulation.stiffness', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOf("[simulation]\nmodel = 'exact'\n" + withAxes("measure = 'half_turns'")));
 }
 
 TEST(MapSection, RefusesRangesThatAreNone) {
   EXPECT_EQ(errorOfAxis("key = 'body.mass', from = 2, to = 1"),
             "a.toml:2:33: map.x runs from 2.0 to 1.0; from must be less than to");
-  EXPECT_THAT(errorOfAxis("key = 'body.size.0', from = 1, to = 1"), HasSubstr("less than to"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'body.size.0', from = 1, to = 1"));
   EXPECT_EQ(errorOfAxis("key = 'body.size.0', from = 0, to = 1, scale = 'log'"),
             "a.toml:2:35: map.x is logarithmic, which needs from over 0, not 0.0");
-  EXPECT_THAT(errorOfAxis("key = 'simulation.substeps', from = 0, to = 9"),
-              HasSubstr("simulation.substeps must be an integer from 1 to 1000000, not 0"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'simulation.substeps', from = 0, to = 9"));
   EXPECT_EQ(errorOfAxis("key = 'body.size.0', from = 1"), "a.toml:2:5: map.x needs to");
-  EXPECT_THAT(errorOfAxis("key = 'body.mass', from = 1, to = 2"),
-              HasSubstr("map.y.key is map.x.key, too"));
-  EXPECT_THAT(errorOfAxis("key = 'spin.latitude', from = -91, to = 2"), HasSubstr("at least -90"));
-  EXPECT_THAT(errorOfAxis("key = 'moments.middle', from = 0.5, to = 1.5"), HasSubstr("at most 1"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'body.mass', from = 1, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'spin.latitude', from = -91, to = 2"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'moments.middle', from = 0.5, to = 1.5"));
 }
 
 TEST(MapSection, RefusesTooManyRuns) {
-  EXPECT_THAT(errorOfMap("size = [20000, 10]"), HasSubstr("an integer from 2 to 16384"));
+  EXPECT_MESSAGE(errorOfMap("size = [20000, 10]"));
   EXPECT_EQ(errorOfMap("size = [16384, 16384]"),
             "a.toml:5:8: map.size asks for 268435456 runs; the limit is 100000000, such as "
             "[10000, 10000]");
@@ -208,58 +188,48 @@ TEST(MapSection, RefusesMeasuresThatTheModelLacks) {
       errorOf(exact + "'error_deg'"),
       "a.toml:6:11: map.measure = \"error_deg\": the model \"exact\" has no such error; choose "
       "another model, e.g. simulation.model = \"quaternion\"");
-  EXPECT_THAT(errorOf(exact + "'centre_drift'"), HasSubstr("only the model \"particles\""));
-  EXPECT_THAT(errorOf(exact + "'half_turn'"), HasSubstr("did you mean \"half_turns\"?"));
-  EXPECT_THAT(errorOfAxis("key = 'time', from = 0, to = 2", "duration = 3"),
-              HasSubstr("map.duration: the axis \"time\" says how long the motions are"));
-  EXPECT_THAT(errorOf("[map]\nx = { key = 'time', from = 0, to = 2 }\n" + std::string(kY) +
-                      "measure = 'first_flip'"),
-              HasSubstr("is of a whole motion, so no axis can be the time"));
+  EXPECT_MESSAGE(errorOf(exact + "'centre_drift'"));
+  EXPECT_MESSAGE(errorOf(exact + "'half_turn'"));
+  EXPECT_MESSAGE(errorOfAxis("key = 'time', from = 0, to = 2", "duration = 3"));
+  EXPECT_MESSAGE(errorOf("[map]\nx = { key = 'time', from = 0, to = 2 }\n" + std::string(kY) +
+                         "measure = 'first_flip'"));
 }
 
 TEST(MapSection, RefusesKeysFromWhichOthersFollow) {
   const std::string map = std::string("[map]\n") + kX + kY + "measure = 'half_turns'\n";
-  EXPECT_THAT(errorOf(map + "[body]\nshape = 't-handle'\n"),
-              HasSubstr("body.mass: the mass and the inertia of this body follow from its shape"));
+  EXPECT_MESSAGE(errorOf(map + "[body]\nshape = 't-handle'\n"));
   const std::string byMoment =
       "[initial]\nangular_velocity = { about = 'middle', value = 4 }\ntilt = [0.1, 'z']\n";
-  EXPECT_THAT(errorOfText(map + byMoment),
-              HasSubstr("body.mass: the axis of the spin is stated by its"));
-  EXPECT_THAT(errorOfText(std::string("[map]\n") + kX +
-                          "y = { key = 'initial.angular_velocity.value', from = 1, to = 2 }\n"
-                          "measure = 'half_turns'\n" +
-                          byMoment),
-              HasSubstr("state the spin as three numbers"));
+  EXPECT_MESSAGE(errorOfText(map + byMoment));
+  EXPECT_MESSAGE(errorOfText(std::string("[map]\n") + kX +
+                             "y = { key = 'initial.angular_velocity.value', from = 1, to = 2 }\n"
+                             "measure = 'half_turns'\n" +
+                             byMoment));
 }
 
 TEST(MapSection, RefusesWhatCantBeMarkedOrExpected) {
-  EXPECT_THAT(errorOfMap("marks = [{ at = [1000, 1], label = 'a' }]"),
-              HasSubstr("the point [1000.0, 1.0] is outside the map"));
-  EXPECT_THAT(errorOfMap("marks = [{ at = [10, 1] }]"), HasSubstr("needs a label"));
-  EXPECT_THAT(errorOfMap("marks = [{ label = 'a' }]"), HasSubstr("needs either at, a point, or"));
-  EXPECT_THAT(errorOfMap("marks = [{ moments = [1, 2, 3], label = 'a' }]"),
-              HasSubstr("needs the axes moments.smallest and moments.middle"));
-  EXPECT_THAT(errorOfMap("expect = [{ of = 'share', min = 1 }]"),
-              HasSubstr("is of a share, so it needs outcome, over or under"));
-  EXPECT_THAT(errorOfMap("expect = [{ of = 'value', min = 1 }]"), HasSubstr("needs at = [X, Y]"));
-  EXPECT_THAT(errorOfMap("expect = [{ of = 'largest' }]"), HasSubstr("needs min, max or both"));
-  EXPECT_THAT(errorOfMap("expect = [{ of = 'largest', min = 1, panel = 'b' }]"),
-              HasSubstr("the scene has no panel \"b\""));
-  EXPECT_THAT(errorOfMap("colors = { from = 2, to = 1 }"), HasSubstr("reversed = true"));
-  EXPECT_THAT(errorOfMap("colors = { from = 0, scale = 'log' }"), HasSubstr("needs from over 0"));
+  EXPECT_MESSAGE(errorOfMap("marks = [{ at = [1000, 1], label = 'a' }]"));
+  EXPECT_MESSAGE(errorOfMap("marks = [{ at = [10, 1] }]"));
+  EXPECT_MESSAGE(errorOfMap("marks = [{ label = 'a' }]"));
+  EXPECT_MESSAGE(errorOfMap("marks = [{ moments = [1, 2, 3], label = 'a' }]"));
+  EXPECT_MESSAGE(errorOfMap("expect = [{ of = 'share', min = 1 }]"));
+  EXPECT_MESSAGE(errorOfMap("expect = [{ of = 'value', min = 1 }]"));
+  EXPECT_MESSAGE(errorOfMap("expect = [{ of = 'largest' }]"));
+  EXPECT_MESSAGE(errorOfMap("expect = [{ of = 'largest', min = 1, panel = 'b' }]"));
+  EXPECT_MESSAGE(errorOfMap("colors = { from = 2, to = 1 }"));
+  EXPECT_MESSAGE(errorOfMap("colors = { from = 0, scale = 'log' }"));
 }
 
 TEST(MapSection, NeedsItsAxesAndAMeasure) {
   EXPECT_EQ(errorOf("[map]\n" + std::string(kX) + kY), "a.toml:1:1: [map] needs measure");
-  EXPECT_THAT(errorOf("[map]\n" + std::string(kX) + "measure = 'regime'"),
-              HasSubstr("[map] needs y"));
+  EXPECT_MESSAGE(errorOf("[map]\n" + std::string(kX) + "measure = 'regime'"));
 }
 
 TEST(MapSection, LeavesTheDirectionOfTheSpinToItsAxes) {
-  EXPECT_THAT(errorOfText("[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n[map]\n"
-                          "x = { key = 'spin.longitude', from = 0, to = 90 }\n" +
-                          std::string(kY) + "measure = 'half_turns'"),
-              HasSubstr("which initial.tilt would turn; leave the tilt out"));
+  EXPECT_MESSAGE(
+      errorOfText("[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n[map]\n"
+                  "x = { key = 'spin.longitude', from = 0, to = 90 }\n" +
+                  std::string(kY) + "measure = 'half_turns'"));
 }
 
 }  // namespace

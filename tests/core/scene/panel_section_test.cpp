@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 
@@ -125,13 +126,10 @@ TEST(Panels, OfTheExactModelHaveNoUseForTheScenesIntegrator) {
 }
 
 TEST(Panels, AreRefusedAnIntegratorOrInertiaThatTheirModelDoesNotHave) {
-  EXPECT_THAT(errorOfText("[simulation]\nintegrator = 'dmv6'\n" +
-                          twoPanels("simulation.model = 'particles'")),
-              HasSubstr("a.toml:2:14: panel.simulation.integrator = \"dmv6\", but the model "
-                        "\"particles\" has "));
-  EXPECT_THAT(
-      errorOfText("[body]\ninertia = [1, 2, 2.5]\n" + twoPanels("simulation.model = 'particles'")),
-      HasSubstr("a.toml:2:11: panel.body.inertia is for rigid models"));
+  EXPECT_MESSAGE(errorOfText("[simulation]\nintegrator = 'dmv6'\n" +
+                             twoPanels("simulation.model = 'particles'")));
+  EXPECT_MESSAGE(
+      errorOfText("[body]\ninertia = [1, 2, 2.5]\n" + twoPanels("simulation.model = 'particles'")));
 }
 
 TEST(Panels, AreTwoToSix) {

@@ -50,7 +50,7 @@ TEST(ClipSection, TakesAnyTimeForThePoster) {
 }
 
 TEST(ClipSection, SaysThatThePosterIsAfterAnEndThatIsWrong) {
-  const std::string duration = "a.toml:2:12: clip.duration must be a positive number, not 0";
+  const std::string duration = "a.toml:2:12: clip.duration must be a time over 0 s, not 0";
   EXPECT_EQ(errorOf("[clip]\nduration = 0\nposter = 99"),
             duration +
                 "\n  a.toml:3:10: clip.poster is at 99 s, after the end of the clip, which is "
@@ -112,7 +112,7 @@ TEST(ClipSection, RefusesPicturesThatTakeGigabytes) {
 }
 
 TEST(ClipSection, RefusesDurationsWithoutAFrameOrWithoutEnd) {
-  const std::string positive = "a.toml:2:12: clip.duration must be a positive number, not ";
+  const std::string positive = "a.toml:2:12: clip.duration must be a time over 0 s, not ";
   EXPECT_EQ(errorOf("[clip]\nduration = 0"), positive + "0");
   EXPECT_EQ(errorOf("[clip]\nduration = -1"), positive + "-1");
   EXPECT_EQ(errorOf("[clip]\nduration = nan"), positive + "nan");

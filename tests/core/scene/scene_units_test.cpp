@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "messages.h"
 #include "scene/parse.h"
 
 namespace rotatebook::scene {
 namespace {
 
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 std::string errorOfTilt(const std::string& angle) {
   return errorOfText("[initial]\nangular_velocity = [0, 0, 6]\ntilt = ['" + angle + "', 'x']");
@@ -58,13 +58,13 @@ TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {
             "a.toml:2:12: body.size must be three lengths from 1e-6 to 1e6 m, not \"2 kg\"" + a +
                 "\"m\", \"cm\", \"mm\", \"km\" or \"in\", such as \"1.5 m\"");
   EXPECT_EQ(errorOf("clip.duration = '3 h'"),
-            "a.toml:1:17: clip.duration must be a positive number, not \"3 h\"" + a +
+            "a.toml:1:17: clip.duration must be a time over 0 s, not \"3 h\"" + a +
                 "\"s\", \"ms\" or \"min\", such as \"1.5 s\"");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = ['60 rpm', '1 deg', 0]"),
             "a.toml:2:31: initial.angular_velocity must be three numbers from -1e9 to 1e9, at "
             "least one other than 0, not \"1 deg\"" +
                 a + "\"rad/s\", \"deg/s\", \"°/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
-  EXPECT_THAT(errorOfTilt("1 m"), HasSubstr("\"rad\", \"deg\", \"turn\" or \"°\""));
+  EXPECT_MESSAGE(errorOfTilt("1 m"));
 }
 
 // A grad is a right angle's hundredth, no radian; a milligram no gram.
@@ -74,12 +74,10 @@ TEST(SceneUnits, ThatArentReadAreNotTakenForOthers) {
       "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"1 grad\"; a text "
       "is a number and a unit, \"rad\", \"deg\", \"turn\" or \"°\", such as \"1.5 rad\"");
   for (const char* text : {"body.mass = '3 mg'", "clip.duration = '3 us'", "body.size = ['1 um']"})
-    EXPECT_THAT(errorOf(text), Not(HasSubstr("did you mean"))) << text;
-  for (const char* tilt : {"1 mrad", "1 gon"})
-    EXPECT_THAT(errorOfTilt(tilt), Not(HasSubstr("did you mean"))) << tilt;
-  EXPECT_THAT(errorOfTilt("1 radd"), HasSubstr("did you mean \"rad\"?"));
-  EXPECT_THAT(errorOfText("initial.angular_velocity = '48 rad/min'"),
-              Not(HasSubstr("did you mean")));
+    EXPECT_MESSAGE(errorOf(text)) << text;
+  for (const char* tilt : {"1 mrad", "1 gon"}) EXPECT_MESSAGE(errorOfTilt(tilt)) << tilt;
+  EXPECT_MESSAGE(errorOfTilt("1 radd"));
+  EXPECT_MESSAGE(errorOfText("initial.angular_velocity = '48 rad/min'"));
 }
 
 TEST(SceneUnits, KeepTheRangeOfTheKey) {

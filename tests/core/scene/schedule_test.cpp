@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 
@@ -12,7 +13,6 @@ namespace rotatebook::scene {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 // Of times that are found by way of others. [s]
 constexpr double kRounding = 1e-12;
@@ -135,9 +135,8 @@ TEST(Schedule, TakesEventsOfThePanelThatIsNamed) {
       "[[panel]]\nlabel = 'steady'\ninitial.angular_velocity = [0, 4, 0]\n"
       "[[panel]]\nlabel = 'middle'\ninitial.angular_velocity = [4, 0, 0]\n";
   EXPECT_THAT(framesOf(flipping(panels + cue("flip 1 of middle"))), ElementsAre(25));
-  EXPECT_THAT(errorOfFlipping(panels + cue("flip 1")), HasSubstr("flips 0 times"));
-  EXPECT_THAT(errorOfFlipping(panels + cue("flip 1 of midle")),
-              HasSubstr("no motion has the label \"midle\"; did you mean \"middle\"?"));
+  EXPECT_MESSAGE(errorOfFlipping(panels + cue("flip 1")));
+  EXPECT_MESSAGE(errorOfFlipping(panels + cue("flip 1 of midle")));
 }
 
 TEST(Schedule, FindsTheBurst) {
@@ -165,7 +164,7 @@ TEST(Schedule, RefusesCuesOfTheEndThatAreNeverSeen) {
   EXPECT_EQ(errorOfFlipping(cue("end")),
             "a.toml:10:6: nothing is seen of a cue at the clip's end; give it a hold, such as "
             "hold = \"3 s\", or take at = \"3 s before end\"");
-  EXPECT_THAT(errorOfFlipping(cue("1 s after end")), HasSubstr("nothing is seen"));
+  EXPECT_MESSAGE(errorOfFlipping(cue("1 s after end")));
   EXPECT_EQ(flipping(cue("end", "hold = 3\ntext = 'a'")).shownCues[0].frame, 113);
 }
 
@@ -186,28 +185,22 @@ TEST(Schedule, LooksForAnEventForSeconds) {
                         "[[cue]]\nat = 'flip 1'\ntext = 'a'\n"),
             "a.toml:7:6: the event isn't found within 5000000 integration steps; state a time in "
             "seconds");
-  EXPECT_THAT(
-      errorOfFlipping("speed = [{ from = 1, to = 'flip 1', value = 1e6 }]\n" + cue("burst")),
-      HasSubstr("the event isn't found within 1000000 frames"));
+  EXPECT_MESSAGE(
+      errorOfFlipping("speed = [{ from = 1, to = 'flip 1', value = 1e6 }]\n" + cue("burst")));
 }
 
 TEST(Schedule, RefusesWhatCantBe) {
   EXPECT_EQ(errorOfFlipping(cue("9 s before flip 1")),
             "a.toml:10:6: the cue comes 6.58 s before the start");
-  EXPECT_THAT(errorOfFlipping(cue("3 s") + cue("2.98 s")),
-              HasSubstr("two cues come in frame 30, at 3 s of the motion; make one of them"));
-  EXPECT_THAT(errorOfFlipping("speed = [{ from = 2, to = 'flip 1', value = 0 }]\n"),
-              HasSubstr("never comes to the event"));
-  EXPECT_THAT(errorOfFlipping("speed = [{ from = 'flip 2', to = 'flip 1', value = 0.5 }]\n"),
-              HasSubstr("a.toml:9:9: a stretch of clip.speed ends before it begins"));
-  EXPECT_THAT(errorOfFlipping("speed = [{ from = 0, to = 5, value = 2 }, { from = 'flip 1', to = "
-                              "'flip 2', value = 0.5 }]\n"),
-              HasSubstr("a stretch of clip.speed begins before the one before it has ended"));
+  EXPECT_MESSAGE(errorOfFlipping(cue("3 s") + cue("2.98 s")));
+  EXPECT_MESSAGE(errorOfFlipping("speed = [{ from = 2, to = 'flip 1', value = 0 }]\n"));
+  EXPECT_MESSAGE(errorOfFlipping("speed = [{ from = 'flip 2', to = 'flip 1', value = 0.5 }]\n"));
+  EXPECT_MESSAGE(
+      errorOfFlipping("speed = [{ from = 0, to = 5, value = 2 }, { from = 'flip 1', to = "
+                      "'flip 2', value = 0.5 }]\n"));
   for (const char* ends : {"from = '1 s before end', to = 'end'", "from = 'end', to = 'end'",
                            "from = 1, to = '1 s before end'", "from = 1, to = '1 s after end'"}) {
-    EXPECT_THAT(
-        errorOfFlipping("speed = [{ " + std::string(ends) + ", value = 0.5 }]\n"),
-        HasSubstr("a.toml:9:9: a stretch of clip.speed names a time before or after the end"))
+    EXPECT_MESSAGE(errorOfFlipping("speed = [{ " + std::string(ends) + ", value = 0.5 }]\n"))
         << ends;
   }
 }

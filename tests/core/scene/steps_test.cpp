@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
 
@@ -82,20 +83,18 @@ TEST(Steps, OfAStudyAreThoseOfTheMotionWhateverItsSamples) {
 
 TEST(Steps, AreFoundUnderOtherNames) {
   for (const std::string key : {"dt", "timestep", "time_step", "step_size"}) {
-    EXPECT_THAT(errorOf("[simulation]\n" + key + " = 0.001"), HasSubstr("did you mean \"step\"?"))
-        << key;
+    EXPECT_MESSAGE(errorOf("[simulation]\n" + key + " = 0.001")) << key;
   }
 }
 
 TEST(Messages, GuessWhatIsMeantByOtherWords) {
-  EXPECT_THAT(errorOf("[clip]\nslow_motion = 0.2"), HasSubstr("did you mean \"speed\"?"));
-  EXPECT_THAT(errorOf("[book]\ncover = 'a.png'"), HasSubstr("did you mean \"front\"?"));
-  EXPECT_THAT(errorOf("overlay.words = 'deutsch'"), HasSubstr("did you mean \"german\"?"));
-  EXPECT_THAT(errorOf("clip.duration = '20 sec'"), HasSubstr("did you mean \"s\"?"));
-  EXPECT_THAT(errorOfText("[initial]\nangular_velocity = { about = 'median', value = 4 }"),
-              HasSubstr("did you mean \"middle\"?"));
+  EXPECT_MESSAGE(errorOf("[clip]\nslow_motion = 0.2"));
+  EXPECT_MESSAGE(errorOf("[book]\ncover = 'a.png'"));
+  EXPECT_MESSAGE(errorOf("overlay.words = 'deutsch'"));
+  EXPECT_MESSAGE(errorOf("clip.duration = '20 sec'"));
+  EXPECT_MESSAGE(errorOfText("[initial]\nangular_velocity = { about = 'median', value = 4 }"));
   const std::string tilted = "[initial]\nangular_velocity = [5, 0, 0]\ntilt = ";
-  EXPECT_THAT(errorOfText(tilted + "['1 degree', 'z']"), HasSubstr("did you mean \"deg\"?"));
+  EXPECT_MESSAGE(errorOfText(tilted + "['1 degree', 'z']"));
   EXPECT_EQ(errorOfText(tilted + "['1°', 'z']"), "no error");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = ['300 °/s', 0, 0]"), "no error");
 }
@@ -116,14 +115,13 @@ TEST(Messages, ListTheIntegratorsOfTheModel) {
             "a.toml:3:14: simulation.integrator must be " +
                 listOfIntegrators("or", physics::Model::Matrix) +
                 ", not \"RK4\"; did you mean \"rk4\"?");
-  EXPECT_THAT(errorOf("[simulation]\nintegrator = 'RK4'\nsubsteps = 0"),
-              HasSubstr("simulation.substeps must be"));
+  EXPECT_MESSAGE(errorOf("[simulation]\nintegrator = 'RK4'\nsubsteps = 0"));
 }
 
 TEST(Messages, NameAllMistakesOfAList) {
   const std::string message = errorOf("[overlay]\nshow = ['half-turns', 'Omega']");
-  EXPECT_THAT(message, HasSubstr("did you mean \"half_turns\"?"));
-  EXPECT_THAT(message, HasSubstr("did you mean \"omega\"?"));
+  EXPECT_MESSAGE(message);
+  EXPECT_MESSAGE(message);
   const std::string study = errorOf(
       "[study]\ncurves = { key = 'simulation.integrator', values = ['rk5', 'eulr'] }\n"
       "x = { key = 'simulation.substeps', values = [1] }");

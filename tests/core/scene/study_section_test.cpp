@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "scene/key_rows.h"
 #include "scene/parse.h"
 #include "scene/scene_text.h"
@@ -16,7 +17,6 @@ namespace {
 using physics::Model;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 StudySettings studyOf(const std::string& lines, const std::vector<std::string>& overrides = {}) {
   return *sceneFrom("[study]\n" + lines, overrides).study;
@@ -224,27 +224,21 @@ TEST(StudySection, NamesTheKeyThatIsNone) {
   };
   EXPECT_EQ(errorOver("simulation.substep"),
             "a.toml:2:13: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
-  EXPECT_THAT(errorOver("simulatio.substeps"),
-              AllOf(HasSubstr("a.toml:2:13: study.x.key must be a key of "),
-                    HasSubstr("did you mean \"simulation\"?")));
-  EXPECT_THAT(errorOver("clip.fps"), HasSubstr("study.x.key must be a key of "));
-  EXPECT_THAT(errorOver("body"),
-              AllOf(HasSubstr("study.x.key must be a key of "), Not(HasSubstr("did you mean"))));
-  EXPECT_THAT(errorOver("expect.stretch"), HasSubstr("study.x.key must be a key of "));
+  EXPECT_MESSAGE(errorOver("simulatio.substeps"));
+  EXPECT_MESSAGE(errorOver("clip.fps"));
+  EXPECT_MESSAGE(errorOver("body"));
+  EXPECT_MESSAGE(errorOver("expect.stretch"));
 }
 
 TEST(StudySection, NamesTheValueThatIsWrong) {
   EXPECT_EQ(errorOfStudy("values = [10, 0]"),
             "a.toml:3:50: simulation.substeps must be an integer from 1 to 1000000, not 0");
   EXPECT_EQ(errorOfStudy("values = [10, 10]"), "a.toml:3:50: study.x.values has 10 twice");
-  EXPECT_THAT(errorOfStudy("from = 0, to = 9, count = 3, scale = 'log'"),
-              HasSubstr("is logarithmic, which needs from over 0, not 0.0"));
-  EXPECT_THAT(errorOfStudy("from = 1, to = 3, count = 9"),
-              HasSubstr("has 1 twice; between whole numbers all are whole: lower count"));
-  EXPECT_THAT(errorOfStudy("from = 1, count = 9"),
-              HasSubstr("needs either values, or from, to and count"));
-  EXPECT_THAT(errorOfStudy("values = [[1, 2]]"), HasSubstr("must be a number, a word, or a table"));
-  EXPECT_THAT(errorOfStudy("values = [{ label = '', value = 1 }]"), HasSubstr("must be a word"));
+  EXPECT_MESSAGE(errorOfStudy("from = 0, to = 9, count = 3, scale = 'log'"));
+  EXPECT_MESSAGE(errorOfStudy("from = 1, to = 3, count = 9"));
+  EXPECT_MESSAGE(errorOfStudy("from = 1, count = 9"));
+  EXPECT_MESSAGE(errorOfStudy("values = [[1, 2]]"));
+  EXPECT_MESSAGE(errorOfStudy("values = [{ label = '', value = 1 }]"));
 }
 
 TEST(StudySection, RefusesWhatCannotBeMeasuredOrExpected) {
@@ -263,17 +257,14 @@ TEST(StudySection, RefusesWhatCannotBeMeasuredOrExpected) {
 }
 
 TEST(StudySection, VariesTwoKeys) {
-  EXPECT_THAT(
-      errorOfStudy("values = [1]", "curves = { key = 'simulation.substeps', values = [1] }"),
-      HasSubstr("study.curves.key is study.x.key, too"));
+  EXPECT_MESSAGE(
+      errorOfStudy("values = [1]", "curves = { key = 'simulation.substeps', values = [1] }"));
 }
 
 TEST(StudySection, IsLimited) {
-  EXPECT_THAT(errorOfStudy("from = 1, to = 900, count = 900",
-                           "curves = { key = 'simulation.normalize', values = [true, false] }"),
-              HasSubstr("[study] has 1800 runs; the limit is 1000"));
-  EXPECT_THAT(errorOfStudy("from = 1, to = 1000000, count = 900", "[clip]\nduration = 60"),
-              HasSubstr("make fewer runs, or shorter ones"));
+  EXPECT_MESSAGE(errorOfStudy("from = 1, to = 900, count = 900",
+                              "curves = { key = 'simulation.normalize', values = [true, false] }"));
+  EXPECT_MESSAGE(errorOfStudy("from = 1, to = 1000000, count = 900", "[clip]\nduration = 60"));
 }
 
 TEST(StudySection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
@@ -319,13 +310,11 @@ TEST(StudySection, GivesStartsAsIfTheyStoodInTheScene) {
     const Scene stated = parseScene(start, "a.toml", std::vector{"initial.tilt.0=" + run.value});
     EXPECT_EQ(run.motion, stated.motions[0]) << run.value;
   }
-  EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
-                                  "x = { key = 'initial.tilt.0', values = [0.1, 1e7] }"),
-              HasSubstr("a.toml:6:46: initial.tilt must be an angle from -1e6 to 1e6 rad"));
-  EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
-                                  "x = { key = 'initial.angular_velocity', "
-                                  "values = [{ label = 'z', value = [0, 0, 4] }] }"),
-              HasSubstr("a.toml:6:74: can't tilt the initial spin (0, 0, 4) toward z"));
+  EXPECT_MESSAGE(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
+                                     "x = { key = 'initial.tilt.0', values = [0.1, 1e7] }"));
+  EXPECT_MESSAGE(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\n"
+                                     "x = { key = 'initial.angular_velocity', "
+                                     "values = [{ label = 'z', value = [0, 0, 4] }] }"));
 }
 
 TEST(StudySection, RefusesToVaryWhatNoRunHas) {

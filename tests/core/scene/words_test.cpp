@@ -5,16 +5,14 @@
 #include <iterator>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 namespace {
-
-using ::testing::HasSubstr;
 
 Scene sceneWithWords(const std::string& words) {
   return parseScene("[initial]\nangular_velocity = [5, 3, 1]\n[overlay]\nwords = " + words + "\n",
@@ -95,21 +93,15 @@ TEST(Words, HaveADecimalMarkThatLeavesNumbersWhatTheyAre) {
     EXPECT_EQ(sceneWithWords(words).overlay.words.decimalMark, mark);
   }
   for (const char* mark : {"", "5", "-", "+", "e", " ", "1.", "..", ", ", "x", "٣", "−", "½"}) {
-    EXPECT_THAT(refusalOf(std::string("{ decimal_mark = '") + mark + "' }"),
-                HasSubstr("decimal_mark must be \".\", \",\", \"·\", \"٫\", not \"" +
-                          std::string(mark) + "\""))
-        << mark;
+    EXPECT_MESSAGE(refusalOf(std::string("{ decimal_mark = '") + mark + "' }")) << mark;
   }
 }
 
 TEST(Words, ThatAreUnknownAreRefused) {
-  EXPECT_THAT(refusalOf("{ 'Polhodes' = 'Polhodie' }"), HasSubstr("did you mean \"Polhode\""));
-  const char* expected = "overlay.words must be \"english\", \"german\", a table of words";
-  for (const char* words : {"'germann'", "3", "'french'"}) {
-    EXPECT_THAT(refusalOf(words), HasSubstr(expected)) << words;
+  EXPECT_MESSAGE(refusalOf("{ 'Polhodes' = 'Polhodie' }"));
+  for (const char* words : {"'germann'", "3", "'french'", "'french.words'"}) {
+    EXPECT_MESSAGE(refusalOf(words)) << words;
   }
-  EXPECT_THAT(refusalOf("'germann'"), HasSubstr("did you mean \"german\""));
-  EXPECT_THAT(refusalOf("'french.words'"), HasSubstr("but no file is read here"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "timeline/recorded_table.h"
 
 namespace rotatebook::timeline {
@@ -10,7 +11,6 @@ namespace {
 using physics::Integrator;
 using physics::Sample;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 using Samples = std::vector<Sample>;
@@ -68,8 +68,7 @@ TEST(FlawedRecording, AStrayAttitudeIsNamed) {
       for (const Verdict& verdict : verdictsOn(strayAt(row, degrees))) {
         EXPECT_TRUE(agreesWithExact(verdict)) << row << ": " << methodThat(verdict);
         ASSERT_EQ(verdict.flaws.size(), 1U) << row << ": " << methodThat(verdict);
-        EXPECT_THAT(methodThat(verdict),
-                    HasSubstr("but for its flaws: 1 row is off its neighbours: the attitude at "));
+        EXPECT_MESSAGE(methodThat(verdict));
         EXPECT_NEAR(verdict.errorDeg, degrees, 0.1);  // measured 0.06 at the first row
       }
     }
@@ -108,8 +107,7 @@ TEST(FlawedRecording, FlawsAreNamedBesideWhatIsWrongWithTheTable) {
     verdictOnText(textOf(exactBook(), table));
     FAIL() << "is judged";
   } catch (const recording::ContradictionError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("the attitude at 5 s, by 40 degrees; and without that, the "
-                                        "rates are along the body's axes"));
+    EXPECT_MESSAGE(error.what());
   }
 }
 
@@ -130,7 +128,7 @@ TEST(FlawedRecording, HeldRowsAreNamed) {
   }
   for (const Verdict& verdict : verdictsOn(held(300, 10, 1000))) {
     EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);
-    EXPECT_THAT(methodThat(verdict), HasSubstr("10 rows repeat the attitude of the row before"));
+    EXPECT_MESSAGE(methodThat(verdict));
   }
 }
 
@@ -163,7 +161,7 @@ TEST(FlawedRecording, NoiseHidesNoFlaw) {
   const Table table{.noise = 2e-3, .rateNoise = 1e-2, .spoil = strayAt(300, 40)};
   const Verdict verdict = verdictOnText(textOf(exactBook(), table));
   EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);
-  EXPECT_THAT(methodThat(verdict), HasSubstr("the attitude at 5 s, by "));
+  EXPECT_MESSAGE(methodThat(verdict));
 }
 
 TEST(FlawedRecording, WrongStepsAreStillNamed) {

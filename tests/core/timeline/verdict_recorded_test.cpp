@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "timeline/recorded_table.h"
 
 namespace rotatebook::timeline {
@@ -10,7 +11,6 @@ namespace {
 using physics::Integrator;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 const Table kAttitudesAlone{.rates = ""};
 
@@ -49,15 +49,14 @@ TEST(VerdictOnRecordings, AnInertiaThatIsStatedWrongSwings) {
 TEST(VerdictOnRecordings, AnInertiaThatIsStatedWrongIsSaidWhereChangesAreSmall) {
   for (const Errs errs : {Errs::GainsBoth, Errs::LosesBoth, Errs::InPhase}) {
     Verdict verdict{.isRecorded = true, .energyDrift = 0.01, .errs = errs};
-    EXPECT_THAT(methodThat(verdict),
-                HasSubstr(", as with an inertia that is stated a little wrong, or as "));
+    EXPECT_MESSAGE(methodThat(verdict));
     verdict.isRecorded = false;  // A scene's inertia is its own.
-    EXPECT_THAT(methodThat(verdict), Not(HasSubstr("inertia")));
+    EXPECT_MESSAGE(methodThat(verdict));
   }
   EXPECT_TRUE(verdictOnText(textOf(exactBook(), {})).isRecorded);
   // Steps of a method change more.
   const auto explicitBook = thrownBook(Integrator::ExplicitGyroscopic, 60);
-  EXPECT_THAT(methodThat(verdictOnText(textOf(explicitBook, {}))), Not(HasSubstr("inertia")));
+  EXPECT_MESSAGE(methodThat(verdictOnText(textOf(explicitBook, {}))));
 }
 
 TEST(VerdictOnRecordings, NoiseIsNoFaultOfTheMotion) {
@@ -95,7 +94,7 @@ TEST(VerdictOnRecordings, AMomentumThatTurnsIsNoMethods) {
   const Eigen::Vector3d swapped{kThrownBook.x(), kThrownBook.z(), kThrownBook.y()};
   const Verdict other = verdictOnText(textOf(exactBook(), {}), swapped);
   EXPECT_EQ(other.errs, Errs::TurnsMomentum) << methodThat(other);
-  EXPECT_THAT(methodThat(other), HasSubstr("another inertia"));
+  EXPECT_MESSAGE(methodThat(other));
 }
 
 TEST(VerdictOnRecordings, CoarseExplicitStepsAreStillExplicit) {
@@ -108,7 +107,7 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
   const Verdict verdict = verdictOnText(textOf(exactBook(5), kAttitudesAlone));
   EXPECT_EQ(verdict.errs, Errs::TooFewAttitudes) << methodThat(verdict);
   EXPECT_GT(verdict.spins.uncertainty, 0.03);  // measured 0.046
-  EXPECT_THAT(methodThat(verdict), HasSubstr("too far apart"));
+  EXPECT_MESSAGE(methodThat(verdict));
   EXPECT_EQ(verdictOnText(textOf(exactBook(10), kAttitudesAlone)).errs, Errs::HardlyAsFitted);
 }
 
@@ -131,7 +130,7 @@ TEST(VerdictOnRecordings, AttitudesWithNoiseAreToBeFartherApart) {
   noisy.noise = 0.004;  // of attitudes, 0.23 degrees [rad]
   const Verdict verdict = verdictOnText(textOf(exactBook(480), noisy));
   EXPECT_EQ(verdict.errs, Errs::TooFewAttitudes) << methodThat(verdict);
-  EXPECT_THAT(methodThat(verdict), HasSubstr("keep fewer rows, so that it turns by about 10"));
+  EXPECT_MESSAGE(methodThat(verdict));
   EXPECT_EQ(verdictOnText(textOf(exactBook(36), noisy)).errs, Errs::HardlyAsFitted);
 }
 
@@ -155,7 +154,7 @@ TEST(VerdictOnRecordings, ReadingsTooFarApartArentJudged) {
   const Verdict verdict = verdictOnText(gyroscopeText(24));
   EXPECT_EQ(verdict.errs, Errs::TooFewReadings) << methodThat(verdict);
   EXPECT_FALSE(isJudged(verdict));
-  EXPECT_THAT(methodThat(verdict), HasSubstr("are so far apart that its attitude may be off by "));
+  EXPECT_MESSAGE(methodThat(verdict));
   EXPECT_GT(verdict.errorDeg, kAgreesDeg);
   // Energy tells all the same that a scale is wrong
   EXPECT_TRUE(isJudged(verdictOnText(gyroscopeText(24, {1, 1.1, 1}))));
@@ -164,7 +163,7 @@ TEST(VerdictOnRecordings, ReadingsTooFarApartArentJudged) {
 TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
   const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesDelay = 1}));
   EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << methodThat(verdict);
-  EXPECT_THAT(methodThat(verdict), HasSubstr("differ from the attitudes' slopes by 2.5 %"));
+  EXPECT_MESSAGE(methodThat(verdict));
   EXPECT_LT(verdict.errorDeg, 0.2);  // measured 0.07 of slopes
 }
 
@@ -191,7 +190,7 @@ TEST(VerdictOnRecordings, RatesAShortStepLateAreNoMotionsFault) {
 TEST(VerdictOnRecordings, RoundedRatesAreNoMotionsFault) {
   for (const double step : {0.01, 0.03, 0.1}) {
     const Verdict verdict = verdictOnText(textOf(exactBook(240), {.rateStep = step}));
-    EXPECT_THAT(methodThat(verdict), HasSubstr("agrees with the exact motion"));
+    EXPECT_MESSAGE(methodThat(verdict));
     EXPECT_LT(verdict.errorDeg, 0.2);  // measured 1.7e-5
   }
 }
@@ -207,17 +206,14 @@ TEST(VerdictOnRecordings, AMomentumThatTurnsALittleIsntKept) {
   table.spoil = drifting;
   const Verdict drift = verdictOnText(textOf(exactBook(), table));
   EXPECT_EQ(drift.errs, Errs::TurnsSlightly) << methodThat(drift);
-  EXPECT_THAT(methodThat(drift), HasSubstr("attitudes that drift"));
+  EXPECT_MESSAGE(methodThat(drift));
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(4 * kDegree, Eigen::Vector3d::UnitY()));
   const Table turned{.rates = "gyro_x (rad/s),gyro_y (rad/s),gyro_z (rad/s)",
                      .areAlongBody = true,
                      .bodyTurn = turn};
   const Verdict verdict = verdictOnText(textOf(exactBook(), turned));
   EXPECT_EQ(verdict.errs, Errs::TurnsSlightly) << methodThat(verdict);
-  EXPECT_THAT(
-      methodThat(verdict),
-      HasSubstr("rates along axes that are turned; the rates are turned from the attitudes' "
-                "slopes by 4 degrees about (0, 1, 0) "));
+  EXPECT_MESSAGE(methodThat(verdict));
 }
 
 TEST(VerdictOnRecordings, AFactorOfTheRatesIsNoMotionsFault) {
@@ -226,7 +222,7 @@ TEST(VerdictOnRecordings, AFactorOfTheRatesIsNoMotionsFault) {
     EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << factor << ": " << methodThat(verdict);
     EXPECT_NEAR(verdict.spins.fit.factor, factor, 1e-5);  // measured 6e-8
     EXPECT_LT(verdict.errorDeg, 0.2);
-    EXPECT_THAT(methodThat(verdict), HasSubstr(" times the attitudes' slopes"));
+    EXPECT_MESSAGE(methodThat(verdict));
   }
 }
 
@@ -241,8 +237,7 @@ TEST(VerdictOnRecordings, ABiasOfTheRatesIsNoMotionsFault) {
       EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << bias << ": " << methodThat(verdict);
       EXPECT_NEAR((verdict.spins.fit.bias - table.bias).norm(), 0, 1e-5);  // measured 3.1e-7
       EXPECT_EQ(verdict.spins.fit.factor, 1);
-      EXPECT_THAT(methodThat(verdict), HasSubstr(isGyroscope ? "rad/s along the body's axes"
-                                                             : "rad/s along the world's axes"));
+      EXPECT_MESSAGE(methodThat(verdict));
     }
   }
 }
@@ -258,9 +253,7 @@ TEST(VerdictOnRecordings, TurnedAxesOfTheRatesAreNoMotionsFault) {
     EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << degrees << ": " << methodThat(verdict);
     // measured 1e-6
     EXPECT_LT((verdict.spins.fit.turn - degrees * kDegree * axis).norm(), 1e-4 * degrees);
-    EXPECT_THAT(methodThat(verdict),
-                HasSubstr("turned from the attitudes' slopes by " + shortestText(degrees) +
-                          " degrees about (0.333, 0.667, 0.667) along the body's axes"));
+    EXPECT_MESSAGE(methodThat(verdict));
   }
 }
 
@@ -287,7 +280,7 @@ TEST(VerdictOnRecordings, AFactorThatLongStepsMakeMayBeTheirs) {
   const Verdict verdict = verdictOnText(textOf(thrownBook(Integrator::Midpoint, 25), {}));
   EXPECT_EQ(verdict.errs, Errs::InPhase) << methodThat(verdict);
   EXPECT_NEAR(verdict.spins.fit.factor, 1 + 0.2512 * 0.2512 / 12, 1e-3);  // measured 6e-4
-  EXPECT_THAT(methodThat(verdict), HasSubstr("or with rates of another scale: they are 1.0059"));
+  EXPECT_MESSAGE(methodThat(verdict));
 }
 
 TEST(VerdictOnRecordings, NoiseChangesNoWords) {
@@ -322,7 +315,7 @@ TEST(VerdictOnRecordings, AFewRowsTellNothing) {
     const Verdict verdict = verdictOnText(textOf(exactBook(), {.seconds = seconds}));
     EXPECT_EQ(verdict.errs, Errs::TooFewRows);
     EXPECT_FALSE(isJudged(verdict));
-    EXPECT_THAT(methodThat(verdict), HasSubstr("too few to tell; record at least 12"));
+    EXPECT_MESSAGE(methodThat(verdict));
   }
   EXPECT_EQ(verdictOnText(textOf(exactBook(), {.seconds = 11.0 / 60})).errs, Errs::Hardly);
 }

@@ -26,6 +26,10 @@ constexpr Remedy kRemedies[] = {
     {"end-of-file", "the file ends within a value or header; a quote or bracket isn't closed"},
     {"comment or whitespace",
      "% after the end of a value or header; lists are in [brackets], comments begin with #"},
+    {"comma or closing", "a comma is missing before %"},
+    {"expected ']'", "a header's ] is missing before %"},
+    {"utf-8", "the text isn't in UTF-8; save it in UTF-8"},
+    {"nested value depth", "lists or tables are nested more than 256 deep"},
     {"digit", "% can't be read as a number; write one such as 0.0167, without a unit or fraction"},
 };
 
@@ -92,7 +96,9 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
       kRemedies, [&](const Remedy& one) { return message.find(one.part) != message.npos; });
   if (remedy == std::end(kRemedies)) {
     // Leave out what the parser was about: "Error while parsing array: "
-    return word + " isn't TOML: " + std::string(message.substr(message.find(": ") + 2));
+    const auto about = message.find(": ");
+    return word + " isn't TOML: " +
+           std::string(message.substr(about == message.npos ? 0 : about + 2));
   }
   std::string problem(remedy->text);
   if (const auto at = problem.find('%'); at != problem.npos) problem.replace(at, 1, word);

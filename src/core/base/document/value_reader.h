@@ -30,6 +30,9 @@ inline constexpr NumberRange kPositive{"a positive number",
                                        std::numeric_limits<double>::denorm_min(),
                                        std::numeric_limits<double>::max()};
 
+inline constexpr NumberRange kPositiveTime{"a time over 0 s", kPositive.min, kPositive.max,
+                                           Dimension::Time};
+
 inline constexpr NumberRange kNumber{"a number", std::numeric_limits<double>::lowest(),
                                      std::numeric_limits<double>::max()};
 

@@ -17,6 +17,7 @@ namespace rotatebook::scene {
 namespace {
 
 using document::kPositive;
+using document::kPositiveTime;
 using document::TomlNode;
 
 constexpr int kSmallestPicture = 16;
@@ -26,7 +27,6 @@ constexpr const char* kFrameRates =
 constexpr ValueForm kSideForm = integerForm(kSmallestPicture, kMaxPictureSide);
 constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
                              Dimension::Time};
-constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
 constexpr NumberRange kStretchSpeeds{"0, which holds the picture, or a number up to 1e6", 0, 1e6};
 constexpr const char* kExpectedSpeeds =
@@ -165,7 +165,7 @@ Keys<ClipSettings> clipKeys() {
       own<&ClipSettings::frameRate, frameRateFrom, frameRateText>(
           "fps", kNumberOrText, kFrameRates,
           {.comment = "frames a second", .meaning = "of the video", .unit = "frames/s"}),
-      number<&ClipSettings::duration>("duration", kDurations,
+      number<&ClipSettings::duration>("duration", kPositiveTime,
                                       {.comment = "s of video", .meaning = "of the video"}),
       number<&ClipSettings::poster>(
           "poster", kTimes,

@@ -16,6 +16,7 @@ namespace {
 
 using document::kNumber;
 using document::kPositive;
+using document::kPositiveTime;
 
 constexpr const char* kExpectedSize = "numbers of runs across and up, such as [960, 540]";
 constexpr const char* kExpectedColours =
@@ -31,7 +32,6 @@ constexpr const char* kExpectedEnds = "the first and the last value of an axis, 
 constexpr const char* kExpectedContours = "a list of values, such as [0.25, 0.5]";
 constexpr int kMinSide = 2;
 constexpr std::size_t kMaxMarks = 50;
-constexpr NumberRange kMapTimes{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 
 constexpr NumberRange kFilmTimes{"a time from 0.1 to 600 s", 0.1, 600, Dimension::Time};
 
@@ -282,12 +282,12 @@ Keys<MapSettings> mapKeys() {
           "size", listForm(kExpectedSize, kSideForm, 2),
           {.comment = "runs, each a pixel",
            .meaning = "runs across and up, each a pixel, up to 16384 a side"}),
-      number<&MapSettings::duration>("duration", kMapTimes,
+      number<&MapSettings::duration>("duration", kPositiveTime,
                                      {.comment = "s, length of the motions",
                                       .meaning = "length of the motions, whatever the clip's",
                                       .byDefault = "the clip's"}),
       number<&MapSettings::interval>(
-          "interval", kMapTimes,
+          "interval", kPositiveTime,
           {.comment = "s from look to look",
            .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),

@@ -91,7 +91,7 @@ std::string attitudeText(const Eigen::Vector4d& attitude) {
   return "[" + joined(parts) + "]";
 }
 
-constexpr NumberRange kRates{"a number from -1e9 to 1e9, but not 0", -1e9, 1e9};
+constexpr NumberRange kRates{"a number from -1e9 to 1e9 other than 0", -1e9, 1e9};
 constexpr std::array<Named<int>, 3> kRanks{{{"smallest", 0}, {"middle", 1}, {"largest", 2}}};
 
 /// Reads { about = "middle", value = 4 }, the axis by its moment.

@@ -20,7 +20,7 @@ namespace {
 
 constexpr NumberRange kShapeLengths{"a length from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
 constexpr NumberRange kDensities{"a density from 1e-6 to 1e9 kg/m^3", 1e-6, 1e9};
-constexpr NumberRange kPartDensities{"a density from -1e9 to 1e9 kg/m^3, but not 0", -1e9, 1e9};
+constexpr NumberRange kPartDensities{"a density from -1e9 to 1e9 kg/m^3 other than 0", -1e9, 1e9};
 constexpr NumberRange kPlaces{"three lengths from -1e6 to 1e6 m", -1e6, 1e6, Dimension::Length};
 constexpr const char* kExpectedParts = "tables with the header [[body.part]]";
 constexpr const char* kExpectedLengths = "a table of the shape's lengths, such as { radius = 0.1 }";

@@ -12,13 +12,11 @@
 namespace rotatebook::scene {
 namespace {
 
-using document::kPositive;
+using document::kPositiveTime;
 
 constexpr const char* kExpectedMeasures = "a list of quantities, such as [\"diverges_at\"]";
 constexpr ValueForm kMeasureForm{.type = ValueForm::Type::Choice,
                                  .choices = measureNames(MeasureSections::Studies)};
-constexpr NumberRange kStudyTimes{kPositive.expected, kPositive.min, kPositive.max,
-                                  Dimension::Time};
 
 std::vector<Measure> measuresFrom(const ValueReader& value) {
   std::vector<Measure> measures;
@@ -58,11 +56,11 @@ Keys<StudySettings> studyKeys() {
                       "`curve`",
            .byDefault = "none",
            .affects = Affects::Text}),
-      number<&StudySettings::duration>("duration", kStudyTimes,
+      number<&StudySettings::duration>("duration", kPositiveTime,
                                        {.comment = "s, length of the motions",
                                         .meaning = "length of the motions, whatever the clip's",
                                         .byDefault = "the clip's"}),
-      number<&StudySettings::interval>("interval", kStudyTimes,
+      number<&StudySettings::interval>("interval", kPositiveTime,
                                        {.comment = "s from sample to sample",
                                         .meaning = "time from sample to sample, whatever the steps",
                                         .byDefault = "that from frame to frame"}),

@@ -3,18 +3,13 @@
 #include <string>
 #include <variant>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/document/errors.h"
+#include "messages.h"
 
 namespace rotatebook::document {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 const TomlNode::Table& tableOf(const TomlNode& node) {
   return std::get<TomlNode::Table>(node.value);
@@ -95,10 +90,8 @@ TEST(TomlTree, RefusesDeepNesting) {
   while (key.size() + 6 < kLongestToml) key += ".a";
   EXPECT_EQ(errorOfText(key + " = 1"), "a.toml:1:17: nested deeper than any value of a scene");
   EXPECT_EQ(errorOfText("[" + key + "]"), "a.toml:1:1: nested deeper than any value of a scene");
-  EXPECT_THAT(errorOfText("a = " + std::string(30'000, '[')),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested value depth")));
-  EXPECT_THAT(errorOfText("a = " + repeated("{a=", 300)),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested value depth")));
+  EXPECT_MESSAGE(errorOfText("a = " + std::string(30'000, '[')));
+  EXPECT_MESSAGE(errorOfText("a = " + repeated("{a=", 300)));
   // Each as deep as it may be, and keys with dots in them.
   EXPECT_EQ(errorOfText("a = " + repeated("{a" + repeated(".a", 50) + "=", 250) + "1" +
                         std::string(250, '}')),
@@ -107,13 +100,12 @@ TEST(TomlTree, RefusesDeepNesting) {
 
 // Characters that a terminal would obey come from quoted keys, too.
 TEST(TomlTree, RepeatsNoControlCharacters) {
-  EXPECT_THAT(errorOfText("\"\\u001b[31m\" = 1\n\"\\u001b[31m\" = 2\n"),
-              AllOf(StartsWith("a.toml:2:"), Not(HasSubstr("\x1b"))));
+  EXPECT_MESSAGE(errorOfText("\"\\u001b[31m\" = 1\n\"\\u001b[31m\" = 2\n"));
 }
 
 TEST(TomlTree, RefusesLettersOutsideOfQuotes) {
   for (const char* value : {"1é", "[1é]", "é", "1979é", "1\u00a0", "1\u3000"}) {
-    EXPECT_THAT(errorOfText(std::string("a = ") + value + "\n"), StartsWith("a.toml:1:")) << value;
+    EXPECT_MESSAGE(errorOfText(std::string("a = ") + value + "\n")) << value;
   }
   EXPECT_EQ(describe(parseToml("a = \"\"\"\\\n  é\"\"\"", "f")), "a table");
 }

@@ -230,6 +230,23 @@ TEST_P(Lanes, CountWhatDivergesAndFails) {
   EXPECT_GT(seen.refused, 30);
 }
 
+// Between two normalisations long steps flatten a matrix so much that rounding may mirror the body.
+TEST_P(Lanes, CountWhereAMatrixMirrorsTheBody) {
+  constexpr std::int64_t kFrames = 80, kFramesPerLook = 5;
+  auto motions = with(Model::Matrix, ordinaryMotions(200, Integrator::Euler, 9));
+  std::vector<WatchedMotion> watched;
+  for (MotionSettings& motion : motions) {
+    motion.simulation.normalizeEvery = kFramesPerLook;
+    motion.simulation.timePerFrame = 0.5;
+    watched.push_back({motion, kFrames, kFramesPerLook});
+  }
+  compareOutcomes(watched, GetParam());
+  const auto mirrored = std::ranges::count_if(
+      Simulated(motions, kFrames).states,
+      [](const BodyState& state) { return state.worldFromBody.determinant() < 0; });
+  EXPECT_GT(mirrored, 10);  // measured 61
+}
+
 TEST_P(Lanes, RefuseAMotionThatThereIsnt) {
   std::vector<WatchedMotion> motions = mixed(ordinaryMotions(2, Integrator::Rk4, 8), 10);
   motions[0].motion.initial.value.setConstant(1e308);

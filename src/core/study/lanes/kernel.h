@@ -166,7 +166,8 @@ Number strainOf(const Matrix3<Number>& a) {
   const Vector3<Number> lengths{squaredNorm(a.x) - one, squaredNorm(a.y) - one,
                                 squaredNorm(a.z) - one};
   const Vector3<Number> skews{dot(a.x, a.y), dot(a.y, a.z), dot(a.z, a.x)};
-  return largestSize(lengths) + largestSize(skews);
+  const Number growth = dot(cross(a.x, a.y), a.z) - one;  // -2 if it mirrors the body.
+  return largestSize(lengths) + largestSize(skews) + magnitude(growth);
 }
 
 /// Returns A^T L of the momentum L in world axes.

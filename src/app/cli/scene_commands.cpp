@@ -102,6 +102,13 @@ struct NamedScenes {
   }
 };
 
+/// Returns the same for all names of a file. A link to a scene is another: it has its own folder.
+fs::path placeOf(const fs::path& path) {
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(path, error).parent_path(), error);
+  return error ? path : folder / path.filename();
+}
+
 NamedScenes namedIn(const std::vector<std::string>& words) {
   NamedScenes named;
   for (const std::string& word : words) {
@@ -113,8 +120,7 @@ NamedScenes namedIn(const std::vector<std::string>& words) {
   }
   std::set<fs::path> known;
   std::erase_if(named.paths, [&](const fs::path& path) {
-    return path != system::kStandardInput &&
-           !known.insert(fs::absolute(path).lexically_normal()).second;
+    return path != system::kStandardInput && !known.insert(placeOf(path)).second;
   });
   return named;
 }

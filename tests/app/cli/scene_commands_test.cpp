@@ -166,6 +166,13 @@ TEST_F(SceneCommandsTest, CheckOfAFolderListsAFileOnceThatIsNamedToo) {
   EXPECT_EQ(run({"check", "tiny.toml", ".", "./tiny.toml"}).output, "tiny.toml   0.2 s  Tiny\n");
 }
 
+TEST_F(SceneCommandsTest, CheckFollowsLinksBeforeItGoesUp) {
+  fs::create_directories(folder() / "a/b");
+  fs::create_directory_symlink("a/b", folder() / "linked");
+  EXPECT_EQ(run({"check", "tiny.toml", "linked/../tiny.toml"}).error,
+            "rotatebook: linked/../tiny.toml: scene not found\n");
+}
+
 TEST_F(SceneCommandsTest, CheckOfAFolderNamesLinksToNothing) {
   fs::create_symlink("nowhere", folder() / "far-away.toml");
   const ChildResult result = run({"check", "."});

@@ -33,9 +33,10 @@ class Messages {
     }
   }
 
-  /// Returns whether `text` is the running test's next message, but for where the build is.
+  /// Returns whether `text` is the running test's next message, but for where the build is and
+  /// line ends at its end.
   ::testing::AssertionResult isNext(const std::string& text) {
-    const std::string actual = withoutFolder(text);
+    const std::string actual = comparable(text);
     std::vector<std::string>& messages = messagesOfTest();
     if (isUpdating_) messages.push_back(actual);
     const std::size_t index = next_++;
@@ -81,10 +82,11 @@ class Messages {
     return messages;
   }
 
-  static std::string withoutFolder(std::string text) {
+  static std::string comparable(std::string text) {
     const std::string folder = ROTATEBOOK_TEST_OUTPUT "/";
     for (std::size_t at = 0; (at = text.find(folder, at)) != std::string::npos;)
       text.erase(at, folder.size());
+    while (text.ends_with('\n')) text.pop_back();
     return text;
   }
 

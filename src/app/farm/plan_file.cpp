@@ -175,7 +175,8 @@ StoredPlan parsePlan(std::string_view text, const std::string& file) {
     requireLines(json);
     stored = planFrom(json);
   } catch (const Json::exception& error) {
-    refuseEdited(file, error.what());
+    const std::string_view problem = error.what();  // After "[json.exception.type_error.302] "
+    refuseEdited(file, std::string(problem.substr(problem.find("] ") + 2)));
   } catch (const InputError& error) {
     refuseEdited(file, error.what());
   }

@@ -39,7 +39,8 @@ std::string differenceOf(const fs::path& file, const FormatRow& format, const sc
                                        : !areOfOtherScenes(files, played, file);
     return same ? "" : kOtherSettings;
   } catch (const InputError& error) {
-    return error.what();
+    const std::string problem = error.what(), name = file.string() + " ";
+    return problem.starts_with(name) ? "it " + problem.substr(name.size()) : problem;
   }
 }
 

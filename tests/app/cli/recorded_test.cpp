@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/program_test.h"
+#include "messages.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -163,7 +164,7 @@ TEST_F(Recorded, ScenesAreJudgedToo) {
 TEST_F(Recorded, NeedABody) {
   const ChildResult result = runWithoutGraphics({"judge", "simbody.csv"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error, HasSubstr("state the body's moments with --inertia IX,IY,IZ"));
+  EXPECT_MESSAGE(result.error);
   EXPECT_THAT(runWithoutGraphics({"judge", "simbody.csv", "--inertia", "1,2,9"}).error,
               HasSubstr("a principal moment can't exceed the sum of the other two"));
   EXPECT_THAT(runWithoutGraphics({"judge", "simbody.csv", "--inertia", "1,2"}).error,
@@ -178,10 +179,8 @@ TEST_F(Recorded, ClipsAreProvedWithTheirFile) {
   EXPECT_TRUE(proof.status == 0 || proof.status == 4) << proof.error << proof.output;
   EXPECT_EQ(run({"verify", "out/scene.mp4"}).status, proof.status);
   copy("mujoco", "simbody.csv");
-  EXPECT_THAT(run({"verify", "out/scene.mp4"}).error,
-              HasSubstr("name its scene's folder with --scene-folder DIR"));
-  EXPECT_THAT(run({"verify", "out/scene.mp4", "--scene-folder", "."}).error,
-              HasSubstr("the file \"simbody.csv\" has changed"));
+  EXPECT_MESSAGE(run({"verify", "out/scene.mp4"}).error);
+  EXPECT_MESSAGE(run({"verify", "out/scene.mp4", "--scene-folder", "."}).error);
 }
 
 TEST_F(Recorded, FramesAreAssembledWithoutTheirFile) {
@@ -199,8 +198,7 @@ TEST_F(Recorded, AreReadFromTheScenesFolderAlone) {
   fs::rename(folder() / "scene.toml", folder() / "below/scene.toml");
   const ChildResult result = runWithoutGraphics({"check", "below/scene.toml"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error, AllOf(HasSubstr("below/scene.toml:5:8: can't read"),
-                                  HasSubstr("leads outside the scene's folder")));
+  EXPECT_MESSAGE(result.error);
   EXPECT_EQ(runWithoutGraphics({"check", "below/scene.toml", "--allow-outside"}).status, 0);
 }
 

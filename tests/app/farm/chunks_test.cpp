@@ -6,12 +6,12 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 
 namespace rotatebook::farm {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 // 20,000 frames of 15 ms on one core: 300 s of work.
 const Effort kClip{"clip", 20'000, 0.015, 0.6};
@@ -98,9 +98,7 @@ TEST(Chunks, AreOfTheSizeThatTheUserGives) {
 
 TEST(Chunks, ThatAreTooManyAreRefusedWithTheSmallestSize) {
   const std::vector<Effort> both{kClip, {"other", 1000, 1, 0}};
-  EXPECT_THAT(messageOf(both, 10, {4, 1000}),
-              HasSubstr("makes 2100 tasks; the cluster takes at most 1000 at once: take --chunk 22 "
-                        "or more"));
+  EXPECT_MESSAGE(messageOf(both, 10, {4, 1000}));
   EXPECT_EQ(messageOf(both, 22, {4, 1000}), "");
   EXPECT_NE(messageOf(both, 20, {4, 1000}), "");
   EXPECT_EQ(messageOf(both, 1, {}), "") << "others than Slurm take any number";

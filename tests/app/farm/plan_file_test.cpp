@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "farm/fake_slurm.h"
 #include "farm/plan_folder.h"
+#include "messages.h"
 
 namespace rotatebook::farm {
 namespace {
@@ -16,7 +17,6 @@ namespace fs = std::filesystem;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::planOfClips;
-using ::testing::StartsWith;
 using testing::textIn;
 
 StoredPlan example(const fs::path& folder) {
@@ -55,15 +55,14 @@ TEST(PlanFile, RefusesWhatIsNoPlan) {
        {"", "title = 1\n", "{}", "[2]", "{\"work\": \"map\"}", "{\"rotatebook_plan"})
     EXPECT_THROW(parsePlan(text, "f"), InputError) << text;
   EXPECT_THROW(parsePlan(std::string(1 << 16, '['), "f"), InputError);
-  EXPECT_THAT(refusalOf("work", "\"maps\""), HasSubstr("work \"maps\" is unknown; was it edited?"));
-  EXPECT_THAT(refusalOf("name", "7"), HasSubstr("must be string, but is number; was it edited?"));
-  EXPECT_THAT(refusalOf("name", "\"\\u001b\""), HasSubstr("can't be part of a plan"));
+  EXPECT_MESSAGE(refusalOf("work", "\"maps\""));
+  EXPECT_MESSAGE(refusalOf("name", "7"));
+  EXPECT_MESSAGE(refusalOf("name", "\"\\u001b\""));
   EXPECT_THAT(refusalOf("folder", "\"/x\", \"folders\": 1"), "");
 }
 
 TEST(PlanFile, OfAnotherVersionIsRefusedByItsVersion) {
-  EXPECT_THAT(refusalOf("rotatebook_plan", "4"),
-              StartsWith("plan.json is a plan of version 4, and this program's have version 3; "));
+  EXPECT_MESSAGE(refusalOf("rotatebook_plan", "4"));
   const fs::path folder = emptyFolder();
   const PlanFiles files = planFiles(folder, Work::Map);
   fs::create_directories(files.folder);
@@ -75,11 +74,10 @@ TEST(PlanFile, BelievesNoNumbersThatNoPlanHas) {
   for (const char* number :
        {"0", "-1", "1000001", "9000000000000000000", "9223372036854775807", "18446744073709551615",
         "99999999999999999999", "1e3", "true", "null"}) {
-    for (const char* key : {"units", "parts"})
-      EXPECT_THAT(refusalOf(key, number), HasSubstr("isn't a number from 1 to 1000000")) << number;
+    for (const char* key : {"units", "parts"}) EXPECT_MESSAGE(refusalOf(key, number)) << number;
   }
-  EXPECT_THAT(refusalOf("cores", "1025"), HasSubstr("from 1 to 1024"));
-  EXPECT_THAT(refusalOf("parts", "11"), HasSubstr("has 11 parts of 10 tiles"));
+  EXPECT_MESSAGE(refusalOf("cores", "1025"));
+  EXPECT_MESSAGE(refusalOf("parts", "11"));
   EXPECT_THAT(refusalOf("parts", "10"), "");
   EXPECT_THAT(refusalOf("units", "1000000"), "");
 }

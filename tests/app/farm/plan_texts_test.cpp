@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "farm/fake_slurm.h"
+#include "messages.h"
 
 namespace rotatebook::farm {
 namespace {
@@ -26,8 +27,7 @@ TEST(PlanTexts, HaveNames) {
     planFormat("paralel");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("\"list\" and \"parallel\""),
-                                    HasSubstr("did you mean \"parallel\"")));
+    EXPECT_MESSAGE(error.what());
   }
 }
 

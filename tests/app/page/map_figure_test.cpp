@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 #include "page/figure.h"
 #include "page/made_folder.h"
 #include "pipeline/make_map.h"
@@ -62,13 +63,11 @@ TEST(MapFigure, IsOfThisSceneAlone) {
       return error.what();
     }
   };
-  EXPECT_THAT(messageOf(mapScene()),
-              HasSubstr("bodies.png is missing; make it first: rotatebook map "));
+  EXPECT_MESSAGE(messageOf(mapScene()));
   makeIn(folder);
   EXPECT_EQ(messageOf(mapScene()), "no error");
   for (const char* other : {"map.size=[8, 7]", "title=Other", "map.expect=[]"}) {
-    EXPECT_THAT(messageOf(mapScene({other})),
-                HasSubstr("bodies.json isn't the result of the scene's map; make the map again"));
+    EXPECT_MESSAGE(messageOf(mapScene({other})));
   }
 }
 

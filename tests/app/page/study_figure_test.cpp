@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "page/figure.h"
 #include "page/made_folder.h"
 #include "store/fingerprint.h"
@@ -13,7 +14,6 @@ namespace rotatebook::page {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::AllOf;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
@@ -91,8 +91,7 @@ TEST(StudyFigure, RefusesAnotherResult) {
 TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene(kStudy);
-  EXPECT_THAT(messageOf(scene, folder), AllOf(HasSubstr("small-study.csv is missing"),
-                                              HasSubstr("rotatebook study scenes/small.toml -o ")));
+  EXPECT_MESSAGE(messageOf(scene, folder));
 }
 
 }  // namespace

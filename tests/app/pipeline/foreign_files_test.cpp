@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "messages.h"
 #include "pipeline/rendered_again.h"
 #include "store/manifest.h"
 #include "store/other_settings.h"
@@ -18,7 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::bytesOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using testing::kFrames;
 using testing::kOverwrite;
 using testing::kResume;
@@ -41,8 +41,8 @@ class ForeignFiles : public testing::RenderedAgain {
   }
   /// Expects that the part's five frames are neither discarded nor drawn again unasked.
   void expectPartsKept() {
-    EXPECT_THAT(failureOf({}), HasSubstr("go on with --resume"));
-    EXPECT_THAT(failureOf({}, otherScene()), HasSubstr("of a render that wasn't finished"));
+    EXPECT_MESSAGE(failureOf({}));
+    EXPECT_MESSAGE(failureOf({}, otherScene()));
     EXPECT_EQ(render(kResume).framesKept, 5);
     expectAsUninterrupted();
   }
@@ -70,9 +70,8 @@ TEST_F(ForeignFiles, LeaveFramesUnfinishedThatGoOnAfterAVideoAlone) {
 TEST_F(ForeignFiles, AreFramesBesideTheManifestOfAVideoAlone) {
   renderVideo();
   const fs::path frame = write("small/frame_00001.png");
-  for (const auto& earlier : {store::EarlierFrames{}, kResume})
-    EXPECT_THAT(failureOf(earlier), HasSubstr(frame.string() + " was added or changed after "));
-  EXPECT_THAT(messageOf<InputError>([&] { renderPart({0, 3}); }), HasSubstr("was added"));
+  for (const auto& earlier : {store::EarlierFrames{}, kResume}) EXPECT_MESSAGE(failureOf(earlier));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { renderPart({0, 3}); }));
   renderVideo();
   EXPECT_EQ(bytesOf(frame), "mine");
   render(kOverwrite);
@@ -82,10 +81,10 @@ TEST_F(ForeignFiles, AreFramesBesideTheManifestOfAVideoAlone) {
 TEST_F(ForeignFiles, AreFramesThatWereAddedOrChanged) {
   render({});
   const fs::path added = write("small/frame_00077.png");
-  EXPECT_THAT(failureOf({}, otherScene()), HasSubstr(added.string() + " was added"));
+  EXPECT_MESSAGE(failureOf({}, otherScene()));
   fs::remove(added);
   const fs::path changed = write("small/frame_00005.png");
-  EXPECT_THAT(failureOf({}), HasSubstr(changed.string() + " was added or changed"));
+  EXPECT_MESSAGE(failureOf({}));
   EXPECT_EQ(bytesOf(changed), "mine");
   EXPECT_EQ(render(kResume).framesKept, kFrames - 1) << "it was asked to go on";
   expectAsUninterrupted();
@@ -95,11 +94,11 @@ TEST_F(ForeignFiles, AreRecordsBesideAManifest) {
   render({});
   const fs::path record = write("small/scene.toml");
   const std::string problem = "holds a scene.toml that no render left there";
-  EXPECT_THAT(failureOf({}), HasSubstr(problem));
-  EXPECT_THAT(failureOf(kResume), HasSubstr(problem));
-  EXPECT_THAT(failureOf({}, otherScene()), HasSubstr(problem));
-  EXPECT_THAT(messageOf<InputError>([&] { renderVideo(); }), HasSubstr(problem));
-  EXPECT_THAT(messageOf<InputError>([&] { renderPart({0, 3}); }), HasSubstr(problem));
+  EXPECT_MESSAGE(failureOf({}));
+  EXPECT_MESSAGE(failureOf(kResume));
+  EXPECT_MESSAGE(failureOf({}, otherScene()));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { renderVideo(); }));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { renderPart({0, 3}); }));
   EXPECT_EQ(bytesOf(record), "mine");
   render(kOverwrite);
   expectAsUninterrupted();
@@ -117,13 +116,13 @@ TEST_F(ForeignFiles, AreRecordsInAFolderThatIsNotNeeded) {
 TEST_F(ForeignFiles, AreOfUnknownOriginWithoutAManifest) {
   fs::create_directories(folder_ / "small");
   write("small/frame_00000.png");
-  EXPECT_THAT(failureOf({}), HasSubstr("holds 1 frame of unknown origin; render again with"));
+  EXPECT_MESSAGE(failureOf({}));
 }
 
 TEST_F(ForeignFiles, AreAFileInThePlaceOfTheReplacedFolder) {
   fs::create_directories(folder_);
   const fs::path file = write("small.replaced");
-  EXPECT_THAT(failureOf(kOverwrite), HasSubstr(file.string() + " is no folder"));
+  EXPECT_MESSAGE(failureOf(kOverwrite));
   EXPECT_EQ(bytesOf(file), "mine");
   EXPECT_THAT(testing::namesIn(folder_), ElementsAre("small.replaced"));
 }
@@ -131,8 +130,7 @@ TEST_F(ForeignFiles, AreAFileInThePlaceOfTheReplacedFolder) {
 TEST_F(ForeignFiles, AreReportedWhereTheyReplacedAnOutput) {
   render({});
   write("small.csv");
-  EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
-              HasSubstr("small.csv was left by no render, and the render of small would replace"));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { render({}); }));
   EXPECT_THAT(render({.overwrite = true}).replaced,
               ElementsAre((folder_ / "small.csv").string() + store::kUnknownSettings));
 }
@@ -143,7 +141,7 @@ TEST_F(ForeignFiles, AreCaptionsOfOthers) {
   fs::remove_all(folder_ / "small");  // No manifest tells whose they are
   render({}, scene);
   write("small.vtt");
-  EXPECT_THAT(failureOf({}, scene), HasSubstr("small.vtt was left by no render"));
+  EXPECT_MESSAGE(failureOf({}, scene));
   EXPECT_EQ(bytesOf(folder_ / "small.vtt"), "mine");
   render({});
   EXPECT_EQ(bytesOf(folder_ / "small.vtt"), "mine") << "the scene has no cues";
@@ -152,10 +150,10 @@ TEST_F(ForeignFiles, AreCaptionsOfOthers) {
 TEST_F(ForeignFiles, AreFoldersInTheWayFoundBeforeTheFirstFrame) {
   const auto failure = [&] { return messageOf<MachineError>([&] { renderVideo(); }); };
   fs::create_directories(folder_ / "small.partial.mp4/more");
-  EXPECT_THAT(failure(), HasSubstr("small.partial.mp4: it is a folder"));
+  EXPECT_MESSAGE(failure());
   fs::remove_all(folder_ / "small.partial.mp4");
   fs::create_directories(folder_ / "small" / store::kManifestName);
-  EXPECT_THAT(failure(), HasSubstr("frames.manifest: it is a folder"));
+  EXPECT_MESSAGE(failure());
   EXPECT_FALSE(fs::exists(folder_ / "small.csv"));
 }
 
@@ -163,8 +161,7 @@ TEST_F(ForeignFiles, AreFoldersInTheWayFoundBeforeTheFirstFrame) {
 TEST_F(ForeignFiles, AreNotWrittenByTwoRendersAtOnce) {
   fs::create_directories(folder_);
   const system::AdvisoryLock other(folder_ / "small.csv", system::Lock::Exclusive);
-  EXPECT_THAT(messageOf<MachineError>([&] { render({}); }),
-              HasSubstr("another process is writing " + (folder_ / "small.csv").string()));
+  EXPECT_MESSAGE(messageOf<MachineError>([&] { render({}); }));
 }
 
 TEST_F(ForeignFiles, ArentWhatAKilledRenderLeft) {

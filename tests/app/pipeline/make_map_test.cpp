@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
+#include "messages.h"
 #include "pipeline/small_clip.h"
 #include "plot/map_colours.h"
 #include "scene/scene_text.h"
@@ -27,7 +28,6 @@ namespace fs = std::filesystem;
 using testing::bytesOf;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
-using ::testing::HasSubstr;
 using testing::messageOf;
 
 /// A map of 100 x 40 runs in 8 tiles.
@@ -183,12 +183,9 @@ TEST_F(MakeMap, GoesOnWhereItWasKilledWhileItWroteItsFiles) {
 
 TEST_F(MakeMap, AsksWhereThereAreTiles) {
   make(mapScene());
-  EXPECT_THAT(messageOf<InputError>([&] { make(mapScene()); }),
-              HasSubstr("holds 8 tiles of this map, which isn't finished; go on with --resume, or "
-                        "begin anew with --overwrite"));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { make(mapScene()); }));
   const scene::Scene other = mapScene({"map.duration=0.9"});
-  EXPECT_THAT(messageOf<InputError>([&] { make(other, resuming()); }),
-              HasSubstr("holds 8 tiles of an unfinished map with other settings"));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { make(other, resuming()); }));
   MapOptions overwrite = resuming();
   overwrite.overwrite = true;
   EXPECT_EQ(make(other, overwrite).found, 0U);
@@ -201,8 +198,7 @@ TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
   const scene::Scene retitled =
       mapScene({"title=Other", "map.colors={palette='gray'}", "map.x.label=steps"});
   EXPECT_EQ(make(retitled, resuming()).found, 8U) << "looks change no values";
-  EXPECT_THAT(messageOf<InputError>([&] { make(mapScene({"map.duration=2"}), resuming()); }),
-              HasSubstr("small.npy holds the values of other settings"));
+  EXPECT_MESSAGE(messageOf<InputError>([&] { make(mapScene({"map.duration=2"}), resuming()); }));
   std::ofstream(files().npy, std::ios::app) << "x";
   EXPECT_EQ(make(mapScene(), resuming()).found, 0U) << "its array is damaged";
 }

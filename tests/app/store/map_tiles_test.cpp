@@ -4,17 +4,16 @@
 #include <fstream>
 #include <string>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 
 fs::path emptyTileFolder() {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -82,12 +81,12 @@ TEST(MapTiles, AreNoLinksAndNoFolders) {
     return std::string();
   };
   fs::create_directory(folder / "tile_1");
-  EXPECT_THAT(problem(), HasSubstr("tile_1 is a link, a folder or a device, and no tile"));
+  EXPECT_MESSAGE(problem());
   EXPECT_THROW(tiles.remove(), InputError);
   fs::remove(folder / "tile_1");
   system::writeFileAtomically(folder / "mine", "abc\n");
   fs::create_symlink("mine", folder / "tile_1");
-  EXPECT_THAT(problem(), HasSubstr("tile_1 is a link"));
+  EXPECT_MESSAGE(problem());
   EXPECT_FALSE(tiles.contains(1));
   fs::remove(folder / "tile_1");
   system::writeFileAtomically(folder / "tile_1", "\x89PNG\r\n");

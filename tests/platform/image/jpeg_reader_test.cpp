@@ -9,6 +9,7 @@
 #include "base/checksum.h"
 #include "image/exif.h"
 #include "image/picture_bytes.h"
+#include "messages.h"
 
 namespace rotatebook::image {
 namespace {
@@ -17,7 +18,6 @@ using testing::Bytes;
 using testing::decoded;
 using testing::distance;
 using testing::exifOf;
-using ::testing::HasSubstr;
 using testing::joined;
 using testing::pixelsOf;
 using testing::refusalOfPicture;
@@ -130,13 +130,12 @@ TEST(JpegReader, SaysWhatLibjpegSays) {
 TEST(JpegReader, RefusesClaims) {
   EXPECT_EQ(refusalOfPicture(claiming(16385, 30)),
             "can't read bad: 16385x30 pixels; the limit is 16384 a side");
-  EXPECT_THAT(refusalOfPicture(claiming(16384, 16384)),
-              HasSubstr(" bytes can't hold the 16384x16384 pixels that its header claims"));
+  EXPECT_MESSAGE(refusalOfPicture(claiming(16384, 16384)));
   Bytes padded = claiming(16384, 16384);
   padded.resize(600'000);
   EXPECT_EQ(refusalOfPicture(padded),
             "can't read bad: 16384x16384 pixels; the limit is 35651584 in all");
-  EXPECT_THAT(refusalOfPicture(claiming(0, 30)), HasSubstr("corrupt JPEG: Empty JPEG image"));
+  EXPECT_MESSAGE(refusalOfPicture(claiming(0, 30)));
 }
 
 // Each takes as long as a picture.

@@ -10,16 +10,14 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 #include "overlay/motion.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::overlay {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 constexpr const char* kLongCaption =
     "The quaternion is normalised after every step, so the book keeps its shape, and it still goes "
@@ -309,13 +307,11 @@ std::string repeated(const std::string& text, int times) {
 TEST(CaptionAndClock, AreRefusedWhereTheyWouldHideTheBook) {
   const std::string show = "overlay.show = ['caption']\n";
   const std::string caption = "caption = '" + repeated("words on words ", 66) + "'\n";
-  EXPECT_THAT(sceneRefusal(show + caption + "clip.size = [128, 720]"),
-              StartsWith("a.toml:2:11: the text takes 635 of the picture's 720 rows"));
-  EXPECT_THAT(
-      sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"),
-      AllOf(StartsWith("a.toml:2:9: the text takes"), HasSubstr("shorten the title")));
+  EXPECT_MESSAGE(sceneRefusal(show + caption + "clip.size = [128, 720]"));
+  EXPECT_MESSAGE(
+      sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"));
   EXPECT_EQ(sceneRefusal(show + caption + "overlay.scale = 0.8"), "no error");
-  EXPECT_THAT(sceneRefusal(show + caption), HasSubstr("or the letters smaller (overlay.scale)"));
+  EXPECT_MESSAGE(sceneRefusal(show + caption));
   EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
 }
 
@@ -336,11 +332,9 @@ TEST(CaptionAndClock, LeaveTheUpperHalfOfASmallPicture) {
 
 TEST(CaptionAndClock, NameThePlaceOfALetterOrAFontThatIsMissing) {
   const std::string show = "overlay.show = ['caption']\n";
-  EXPECT_THAT(sceneRefusal(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
-  EXPECT_THAT(sceneRefusal(show + "caption = '漢'"),
-              StartsWith("a.toml:2:11: the font Inter lacks"));
-  EXPECT_THAT(sceneRefusal(show + "overlay.font = 'No Such Font'"),
-              StartsWith("a.toml:2:16: no font family \"No Such Font\" is installed"));
+  EXPECT_MESSAGE(sceneRefusal(show + "title = '漢'"));
+  EXPECT_MESSAGE(sceneRefusal(show + "caption = '漢'"));
+  EXPECT_MESSAGE(sceneRefusal(show + "overlay.font = 'No Such Font'"));
 }
 
 }  // namespace

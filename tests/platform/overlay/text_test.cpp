@@ -6,15 +6,13 @@
 #include <utility>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 
 namespace rotatebook::overlay {
 namespace {
-
-using ::testing::HasSubstr;
 
 constexpr int kWide = 10'000;
 
@@ -95,8 +93,8 @@ TEST(Typesetter, DrawsInItsColourAndOpacity) {
 
 TEST(Typesetter, RefusesLettersThatTheFontLacks) {
   EXPECT_EQ(refusalOf("Größe, αβγ, жук, 1 − 2 × ½ ≤ √3"), "");
-  EXPECT_THAT(refusalOf("漢字"), HasSubstr("the font Inter lacks \"漢\", which is in \"漢字\""));
-  EXPECT_THAT(refusalOf("First\nand é 字漢"), HasSubstr("lacks \"字\""));
+  EXPECT_MESSAGE(refusalOf("漢字"));
+  EXPECT_MESSAGE(refusalOf("First\nand é 字漢"));
 }
 
 /// Returns the sum of a layer's opacities, those of whole letters 1. [pixels]
@@ -147,7 +145,7 @@ TEST(Typesetter, RefusesAFontThatIsNotThere) {
     Typesetter type("No Such Font");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no font family \"No Such Font\" is installed"));
+    EXPECT_MESSAGE(error.what());
   }
 }
 

@@ -14,10 +14,10 @@
 #include <unistd.h>
 #include <vector>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 #include "system/file_descriptor.h"
 #include "system/temporary_files.h"
 
@@ -25,7 +25,6 @@ namespace rotatebook {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::HasSubstr;
 
 std::string contentOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);
@@ -156,7 +155,7 @@ TEST_F(AtomicFileTest, NamesTheMissingFolderAndTheCause) {
     system::AtomicFile file(folder_ / "missing" / "a.txt");
     FAIL() << "no error";
   } catch (const MachineError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("missing/a.txt: No such file or directory"));
+    EXPECT_MESSAGE(error.what());
   }
 }
 

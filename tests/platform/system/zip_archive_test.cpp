@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "messages.h"
 
 namespace rotatebook {
 namespace {
@@ -50,7 +51,7 @@ TEST(MemoryZip, SaysWhatFailed) {
     bytesOf(archive);
     FAIL() << "there is no such file";
   } catch (const MachineError& error) {
-    EXPECT_THAT(error.what(), StartsWith("can't make it: "));
+    EXPECT_MESSAGE(error.what());
   }
 }
 

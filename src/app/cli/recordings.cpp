@@ -164,7 +164,7 @@ std::vector<TableFile> tablesInFolder(const fs::path& folder) {
 std::string namesOf(const std::vector<TableFile>& tables) {
   constexpr std::size_t kLongest = 80;  // [characters]
   std::vector<std::string> names;
-  for (const TableFile& table : tables) names.push_back(quotedText(oneLine(table.entry, kLongest)));
+  for (const TableFile& table : tables) names.push_back(quotedBeginning(table.entry, kLongest));
   return listed(names);
 }
 

@@ -178,6 +178,11 @@ std::string quotedText(std::string_view text) {
   return '"' + escaped(text, stringEscape) + '"';
 }
 
+std::string quotedBeginning(std::string_view text, std::size_t maxLetters) {
+  const std::string_view shown = firstCharacters(text, maxLetters);
+  return quotedText(validUtf8(shown) + (shown.size() < text.size() ? "..." : ""));
+}
+
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"") == text.npos) return text;
   std::string quoted = "\"";

@@ -54,6 +54,10 @@ std::string sizeText(std::int64_t width, std::int64_t height);
 /// isOneLine() refuses in UTF-8; both TOML and JSON read it back.
 std::string quotedText(std::string_view text);
 
+/// Returns likewise the first `maxLetters` letters, with "..." for the rest. Bytes that aren't
+/// UTF-8 become U+FFFD.
+std::string quotedBeginning(std::string_view text, std::size_t maxLetters);
+
 /// Returns `text` as a word of a shell's command line: in quotation marks if it needs them.
 std::string shellWord(std::string text);
 

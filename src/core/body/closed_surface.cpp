@@ -209,10 +209,13 @@ class Complaint {
 
   std::string trianglesText(std::span<const Side> sides) const {
     constexpr std::size_t kShown = 4;
+    const bool isAll = sides.size() <= kShown;
     std::string text = "triangles ";
-    for (std::size_t i = 0; i < std::min(sides.size(), kShown); ++i)
-      text += (i == 0 ? "" : ", ") + numberOf(sides[i].triangle());
-    return text + (sides.size() > kShown ? " and others" : "");
+    for (std::size_t i = 0; i < std::min(sides.size(), kShown); ++i) {
+      const bool isLast = isAll && i + 1 == sides.size();
+      text += (i == 0 ? "" : isLast ? " and " : ", ") + numberOf(sides[i].triangle());
+    }
+    return text + (isAll ? "" : " and others");
   }
 
   /// Returns what is wrong at an edge of one triangle: a hole, or points that don't meet.

@@ -214,7 +214,7 @@ const GlbDocument::Json& GlbDocument::member(const Json& json, const char* name)
 std::optional<std::size_t> GlbDocument::count(const Json& json, const char* name) {
   const Json& value = member(json, name);
   if (value.is_null()) return std::nullopt;
-  return wholeNumber(value, name);
+  return wholeNumber(value, "its " + quotedText(name));
 }
 
 std::size_t GlbDocument::wholeNumber(const Json& value, const std::string& name) {

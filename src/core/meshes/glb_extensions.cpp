@@ -148,8 +148,9 @@ class UnknownExtensions {
     if (!extensions.is_object()) return;
     for (auto extension = extensions.begin(); extension != extensions.end(); ++extension) {
       if (!names_.contains(extension.key())) continue;
-      throw InputError(what + " needs the extension " + quotedText(oneLine(extension.key(), 60)) +
-                       ", which isn't known here and may change its shape; export it without");
+      throw InputError(
+          what + " needs the extension " + quotedBeginning(extension.key(), 60) +
+          ", which isn't known here and may change its shape; export the file without it");
     }
   }
 

@@ -97,7 +97,7 @@ std::string_view MeshWords::wordOnAnyLine() {
 
 std::string noNumber(std::string_view word) {
   if (word.empty()) return " is missing";
-  return " must be a number, and is " + quotedText(oneLine(word, 40)) +
+  return " must be a number, not " + quotedBeginning(word, 40) +
          (word.find(',') != word.npos ? "; write decimal points" : "");
 }
 
@@ -110,9 +110,9 @@ double MeshWords::number(const char* what) {
 std::int64_t MeshWords::integer(const char* what) {
   const std::string_view found = word();
   if (const auto value = integerIn(found)) return *value;
-  fail(std::string(what) +
-       (found.empty() ? " is missing"
-                      : " must be a whole number, and is " + quotedText(oneLine(found, 40))));
+  fail(std::string(what) + (found.empty()
+                                ? " is missing"
+                                : " must be a whole number, not " + quotedBeginning(found, 40)));
 }
 
 void MeshWords::fail(const std::string& message) const {

@@ -62,7 +62,7 @@ std::string_view withoutPadding(std::string_view text);
 void refuseUtf16(std::string_view text);
 
 /// Returns what is wrong with a word that should be a number, behind what it is: " must be a
-/// number, and is "3,5"; write decimal points".
+/// number, not "3,5"; write decimal points".
 std::string noNumber(std::string_view word);
 
 std::optional<double> numberIn(std::string_view word);

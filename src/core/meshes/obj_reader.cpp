@@ -14,14 +14,15 @@ namespace {
 std::uint32_t cornerOf(std::string_view word, std::size_t points, const MeshWords& words) {
   const auto number = integerIn(word.substr(0, word.find('/')));
   if (!number) {
-    words.fail("a face's corner must begin with a point's number, and is " +
-               quotedText(oneLine(word, 40)));
+    words.fail("a face's corner must begin with a point's number, not " +
+               quotedBeginning(word, 40));
   }
   const auto count = static_cast<std::int64_t>(points);
   const std::int64_t index = *number < 0 ? count + *number : *number - 1;
   if (index < 0 || index >= count) {
     words.fail("the face names point " + std::to_string(*number) + ", but " +
-               std::to_string(count) + " are before it; points must be before their faces");
+               std::to_string(count) + (count == 1 ? " is" : " are") +
+               " before it; points must be before their faces");
   }
   return static_cast<std::uint32_t>(index);
 }

@@ -50,15 +50,14 @@ Type typeOf(std::string_view name, const MeshWords& words) {
   for (std::size_t i = 0; i < std::size(kTypeNames); ++i) {
     if (name == kTypeNames[i][0] || name == kTypeNames[i][1]) return static_cast<Type>(i);
   }
-  words.fail("unknown type " + quotedText(oneLine(name, 40)) +
-             "; \"float\" or \"int\", for example");
+  words.fail("unknown type " + quotedBeginning(name, 40) + "; \"float\" or \"int\", for example");
 }
 
 Encoding encodingOf(std::string_view name, const MeshWords& words) {
   if (name == "ascii") return Encoding::Text;
   if (name == "binary_little_endian") return Encoding::LittleEndian;
   if (name == "binary_big_endian") return Encoding::BigEndian;
-  words.fail("unknown format " + quotedText(oneLine(name, 40)) +
+  words.fail("unknown format " + quotedBeginning(name, 40) +
              "; ascii, binary_little_endian or binary_big_endian");
 }
 
@@ -96,7 +95,7 @@ bool readHeaderLine(MeshWords& words, Header& header) {
                  " properties; leave out what is neither x, y, z nor vertex_indices");
     header.elements.back().properties.push_back(readProperty(words));
   } else if (kind != "ply" && kind != "comment" && kind != "obj_info" && !kind.empty()) {
-    words.fail("not a line of a PLY header: " + quotedText(oneLine(kind, 40)));
+    words.fail("not a line of a PLY header: " + quotedBeginning(kind, 40));
   }
   return true;
 }
@@ -310,7 +309,7 @@ class MeshBuilder {
 /// An element without properties takes no bytes, so that its number would be free to claim.
 void requireProperties(const Element& element) {
   if (!element.properties.empty() || element.count == 0) return;
-  throw InputError("the element " + quotedText(oneLine(element.name, 40)) + " has no properties");
+  throw InputError("the element " + quotedBeginning(element.name, 40) + " has no properties");
 }
 
 /// Throws InputError if the header has faces without corners, or vertices without coordinates.

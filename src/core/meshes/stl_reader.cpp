@@ -32,8 +32,8 @@ void requireWhole(std::string_view bytes, std::size_t count) {
   }
   if (data.empty() && count == 0) return;
   throw InputError("it says that it has " + std::to_string(count) + " triangles of " +
-                   std::to_string(kTriangle) + " bytes, but has " + std::to_string(data.size()) +
-                   " bytes of them" +
+                   std::to_string(kTriangle) + " bytes, but has " +
+                   countText(static_cast<std::int64_t>(data.size()), "byte") + " of them" +
                    (data.size() > said
                         ? ", " + std::to_string(data.size() - said) +
                               " too many: the number is wrong, or something else follows"
@@ -73,7 +73,7 @@ std::string keyword(MeshWords& words) {
 
 [[noreturn]] void failAt(const MeshWords& words, std::string_view wanted, std::string_view found) {
   words.fail("\"" + std::string(wanted) + "\" is expected here" +
-             (found.empty() ? ", but the file ends" : ", not " + quotedText(oneLine(found, 40))));
+             (found.empty() ? ", but the file ends" : ", not " + quotedBeginning(found, 40)));
 }
 
 void expect(MeshWords& words, std::string_view wanted) {
@@ -152,7 +152,7 @@ NotedSurface readStl(std::string_view bytes) {
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid" && first != "facet") {
     throw InputError(
-        (first.empty() ? "it is empty" : "it begins with " + quotedText(oneLine(first, 40))) +
+        (first.empty() ? "it is empty" : "it begins with " + quotedBeginning(first, 40)) +
         ", and has neither \"solid\" nor the " + std::to_string(kHeader) +
         " bytes of a binary header: not an STL file");
   }

@@ -118,7 +118,7 @@ std::string ColumnFinder::names() const {
   std::vector<std::string> shown;
   for (const std::string& name : table_.header()) {
     if (shown.size() == kShown) break;
-    shown.push_back(quotedText(oneLine(name, kLongest)));
+    shown.push_back(quotedBeginning(name, kLongest));
   }
   if (table_.header().size() > kShown) {
     shown.push_back(std::to_string(table_.header().size() - kShown) + " more");

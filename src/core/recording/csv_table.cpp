@@ -143,9 +143,9 @@ double CsvTable::at(std::size_t row, std::size_t column, const std::string& reme
       cell.find_first_not_of("+-.0123456789,' \xC2\xA0\xE2\x80\xAF\x99") == cell.npos &&
       cell.find_first_of(kMarks) != cell.npos;
   failAt(row,
-         "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
-             quotedText(oneLine(cell, kLongestShown)) + ", which is " +
-             std::string(kindText(cell)) + "; " +
+         "the column " + quotedBeginning(header_[column], kLongestShown) + " has " +
+             quotedBeginning(cell, kLongestShown) + ", which is " + std::string(kindText(cell)) +
+             "; " +
              (haveMarks ? "write numbers without marks between digits, such as 1000.5" : remedy));
 }
 

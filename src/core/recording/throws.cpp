@@ -209,8 +209,8 @@ std::vector<Range> fastRuns(const InertialRecording& recording) {
 /// readings, which take so long. [-, s]
 std::string problemOf(double change, double tenReadings) {
   if (change < kLargestChange) {
-    return "it isn't a free flight: it moves only as a body would that has moments that none has: "
-           "it spins too steadily to tell, or each axis has its own scale";
+    return "it isn't a free flight: only moments that no body has would fit it, as where it spins "
+           "too steadily to tell, or where each axis has its own scale";
   }
   const bool areFew = tenReadings > kShortestThrow;
   return std::string(areFew ? "no free flight was found" : "it isn't a free flight") +

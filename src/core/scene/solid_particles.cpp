@@ -35,8 +35,8 @@ void requireOneDensity(const Solid& solid) {
     const double own = std::abs(densityOf(part));
     if (density != 0 && own != density)
       throw InputError(
-          "particles of equal mass make a body of one density, but its parts have several; take "
-          "\"equimomental\", or give them one");
+          "makes particles of equal mass, and so a body of one density, but its parts have "
+          "several; take \"equimomental\", or give them one");
     density = own;
   }
 }

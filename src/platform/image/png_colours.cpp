@@ -47,7 +47,7 @@ std::string profileName(PngBytes chunk) {
   std::string name(chunk.begin(), end);
   std::ranges::replace_if(
       name, [](char c) { return c < ' ' || c > '~'; }, '?');
-  return quotedText(oneLine(name, 40));
+  return quotedBeginning(name, 40);
 }
 
 bool isSrgbGamma(PngBytes chunk) {

@@ -58,6 +58,11 @@ TEST(QuotedText, EscapesWhatTomlAndJsonForbid) {
   EXPECT_EQ(quotedText(std::string("\x01\x1f\x7f\0", 4)), R"("\u0001\u001F\u007F\u0000")");
 }
 
+TEST(QuotedText, OfABeginningIsEscapedOnce) {
+  EXPECT_EQ(quotedBeginning("a\"\x01\\\xc3", 5), "\"a\\\"\\u0001\\\\\uFFFD\"");
+  EXPECT_EQ(quotedBeginning("ab\\", 2), "\"ab...\"");
+}
+
 TEST(QuotedText, EscapesTheControlCharactersOfLatin1) {
   EXPECT_EQ(quotedText("\u0080\u009b\u009f\u00a0"), "\"\\u0080\\u009B\\u009F\u00a0\"");
   EXPECT_EQ(quotedText("\xc2"), "\"\xc2\"");

@@ -87,18 +87,17 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
   if (rest.empty() && message.find("control characters") != message.npos) {
     return "a string doesn't end on its line; its closing quote is missing";
   }
-  std::string word = oneLine(rest.substr(0, rest.find_first_of(" \t", 1)), 20);
-  if (word.empty())
-    word = "the end of the line";
-  else if (word.find('"') == word.npos)
-    word = '"' + word + '"';
+  const std::string_view first = rest.substr(0, rest.find_first_of(" \t", 1));
+  const std::string word = first.empty()            ? "the end of the line"
+                           : first.starts_with('"') ? oneLine(first, 20)
+                                                    : quotedBeginning(first, 20);
   const auto remedy = std::ranges::find_if(
       kRemedies, [&](const Remedy& one) { return message.find(one.part) != message.npos; });
   if (remedy == std::end(kRemedies)) {
     // Leave out what the parser was about: "Error while parsing array: "
     const auto about = message.find(": ");
-    return word + " isn't TOML: " +
-           std::string(message.substr(about == message.npos ? 0 : about + 2));
+    return word +
+           " isn't TOML: " + std::string(message.substr(about == message.npos ? 0 : about + 2));
   }
   std::string problem(remedy->text);
   if (const auto at = problem.find('%'); at != problem.npos) problem.replace(at, 1, word);

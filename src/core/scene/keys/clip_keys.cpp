@@ -108,7 +108,7 @@ SpeedStretch stretchFrom(const ValueReader& table) {
   }
   if (stretch.end && stretch.value == 0) {
     table.fail(table.name() +
-               " holds the motion, which so never comes to the event in `to`; state "
+               " holds the motion, so that it never comes to the event in `to`; state "
                "seconds of the video");
   }
   if (stretch.hasMoments() || stretch.to > stretch.from) return stretch;

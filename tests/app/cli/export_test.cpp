@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/program_test.h"
+#include "messages.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -34,7 +35,7 @@ TEST_F(ExportCommand, ReplacesItsOwnFilesAlone) {
   write("tiny.glb", "glTF of another program");
   const ChildResult refused = run({"export", "tiny.toml"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.error, HasSubstr("tiny.glb exists, and isn't overwritten"));
+  EXPECT_MESSAGE(refused.error);
   EXPECT_EQ(read("tiny.glb"), "glTF of another program");
 }
 

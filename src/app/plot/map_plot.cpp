@@ -15,7 +15,9 @@ namespace {
 using scene::Measure;
 
 constexpr int kSmallestAreas = 900, kLargestAreas = 3840;  // of all panels together [pixels]
-constexpr int kMaxSteps = 64;                              // of whole numbers in the legend
+// Cairo draws 32,767 pixels at most, with what is around the areas.
+constexpr int kHighestAreas = 8192;
+constexpr int kMaxSteps = 64;  // of whole numbers in the legend
 constexpr Colour kContourColour{0.97, 0.96, 0.93};
 
 std::string labelOfScale(const scene::MapSettings& map) {
@@ -109,7 +111,8 @@ Plot emptyPlot(const scene::Scene& scene, int leastWidth) {
   Plot plot{scene.title, scene.caption, labelOfScale(map)};
   const int panels = static_cast<int>(scene.motions.size()), across = map.width * panels;
   const int stride = strideOf(scene);
-  const int scale = std::max(1, (kSmallestAreas + across - 1) / across);
+  const int wanted = (kSmallestAreas + across - 1) / across;
+  const int scale = std::max(1, std::min(wanted, kHighestAreas / map.height));
   plot.areaWidth = 1.0 * ((map.width + stride - 1) / stride * scale);
   plot.areaHeight = 1.0 * ((map.height + stride - 1) / stride * scale);
   plot.letters = std::clamp(6 + 0.0105 * across * scale / stride, 14.0, 36.0);

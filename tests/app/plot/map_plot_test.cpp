@@ -192,6 +192,15 @@ TEST(MapPlot, NamesItsAxesAndKeepsItsTextsApart) {
   expectTextsApart(drawing);
 }
 
+TEST(MapPlot, IsDrawnOfFewColumnsOfManyRows) {
+  for (const int rows : {97, 9000}) {
+    scene::Scene scene = mapScene();
+    scene.map->width = 2;
+    scene.map->height = rows;
+    EXPECT_GE(mapPicture(resultOf(scene), scene, 0).height(), rows);
+  }
+}
+
 TEST(MapPlot, RefusesLettersThatTheFontLacks) {
   scene::Scene scene = mapScene();
   requireMapLetters(scene);

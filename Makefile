@@ -117,8 +117,8 @@ portable: program
 # The page has the live book if `make play` has made it.
 LIVE = $(wildcard build/play/live_book.html)
 figures: program
-	$(PROGRAM) render scenes/figures/*.toml -o $(OUT) --resume --overwrite$(if $(filter no,$(FRAMES)), --no-png); met=$$?; \
-	  $(PROGRAM) render scenes/comparisons/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite$(if $(filter all,$(FRAMES)),, --no-png) && exit $$met
+	$(PROGRAM) render scenes/figures/*.toml -o $(OUT) --resume --overwrite$(if $(filter no,$(FRAMES)), --no-png)
+	$(PROGRAM) render scenes/comparisons/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite$(if $(filter all,$(FRAMES)),, --no-png)
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png

@@ -99,7 +99,7 @@ class Motions(unittest.TestCase):
         said, _ = child.communicate(timeout=60)
         ended = re.search(r"ended (\S+)", said)
         self.assertTrue(ended, said)
-        self.assertLess(float(ended[1]) - pressed, 0.1)  # Measured up to 0.03, on busy processors.
+        self.assertLess(float(ended[1]) - pressed, 2)  # Measured up to 0.03; the whole takes 13 s.
 
 
 class Scenes(unittest.TestCase):

@@ -102,7 +102,7 @@ class Clips(unittest.TestCase):
         pressed = time.monotonic()
         os.killpg(child.pid, signal.SIGINT)  # As a terminal does.
         said, _ = child.communicate(timeout=60)
-        self.assertLess(float(said) - pressed, 0.1)  # Measured 0.02 to 0.04, on busy processors.
+        self.assertLess(float(said) - pressed, 2)  # Measured 0.02 to 0.04; the whole takes minutes.
         until = pressed + 30
         while (left := sorted(os.listdir("long"))) != ["scene.partial.mp4"] and time.monotonic() < until:
             time.sleep(0.1)

@@ -88,12 +88,10 @@ ReadMotionKey readerIn(Keys<S> keys, Part part, const MotionSettings& base, cons
 std::size_t nudgeOf(const Path& path, const MotionSettings& base, const Place& place) {
   const auto index = parsedNumber<std::size_t>(path.name);
   if (index && *index < base.nudges.size()) return *index;
-  document::failAt(
-      place.location,
-      place.key + (base.nudges.empty()
-                       ? " is a part of a [[nudge]], and the scene states none; state it"
-                       : " must name one of the scene's " + countText(base.nudges.size(), "nudge") +
-                             " by its number, from 0"));
+  if (base.nudges.empty()) document::failAt(place.location, place.key + kOfNoNudge);
+  document::failAt(place.location, place.key + " must name one of the scene's " +
+                                       countText(base.nudges.size(), "nudge") +
+                                       " by its number, from 0");
 }
 
 /// Returns what reads values of `motionKey`, such as "body.mass", or of a part, such as

@@ -8,6 +8,10 @@
 
 namespace rotatebook::scene {
 
+/// Follows a key of a nudge in the message where there is none.
+inline constexpr const char* kOfNoNudge =
+    " is a part of a [[nudge]], and the scene states none; state it";
+
 /// A number of a motion that can be given other values.
 class MotionNumber {
  public:

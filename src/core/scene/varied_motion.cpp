@@ -11,6 +11,7 @@
 #include "base/document/toml_text.h"
 #include "base/nearest_name.h"
 #include "scene/key_rows.h"
+#include "scene/motion_numbers.h"
 #include "scene/names.h"
 #include "scene/sections.h"
 
@@ -115,8 +116,7 @@ void finishAxis(const ValueReader& table, const ValueReader& file, Axis& axis) {
   requireMotionKey(key, axis.key);
   if (axis.key == "body.mesh")
     key.fail(axis.key + " can't vary; [[panel]] shows several meshes side by side");
-  if (axis.key.starts_with("nudge.") && !file.find("nudge"))
-    key.fail(axis.key + " is a part of a [[nudge]], and the scene states none; state it");
+  if (axis.key.starts_with("nudge.") && !file.find("nudge")) key.fail(axis.key + kOfNoNudge);
   for (const auto& [section, name, of] : kDependentKeys) {
     if (of == axis.key && !file.find(section, name)) axis.followers.push_back(name);
   }

@@ -36,19 +36,19 @@ void give(isal_zstream& stream, std::span<const std::uint8_t> bytes, std::uint16
 BandCoder::BandCoder() : workspace_(ISAL_DEF_LVL1_DEFAULT) {}
 
 void BandCoder::pack(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& packed) {
-  packed.resize(packedBound(bytes.size()));
+  room_.resize(std::max(room_.size(), packedBound(bytes.size())));
   isal_zstream stream;
   isal_deflate_init(&stream);
   stream.level = kLevel;
   stream.level_buf = workspace_.data();
   stream.level_buf_size = static_cast<std::uint32_t>(workspace_.size());
-  stream.next_out = packed.data();
-  stream.avail_out = static_cast<std::uint32_t>(packed.size());
+  stream.next_out = room_.data();
+  stream.avail_out = static_cast<std::uint32_t>(room_.size());
   const bool isLong = bytes.size() > kHead;
   const std::size_t head = isLong ? kHead : std::min(bytes.size(), kFlushedHead);
   give(stream, bytes.first(head), isLong ? NO_FLUSH : SYNC_FLUSH);
   give(stream, bytes.subspan(head), FULL_FLUSH);
-  packed.resize(stream.total_out);
+  packed.assign(room_.data(), room_.data() + stream.total_out);
 }
 
 }  // namespace rotatebook::image

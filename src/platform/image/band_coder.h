@@ -18,7 +18,7 @@ class BandCoder {
   void pack(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& packed);
 
  private:
-  std::vector<std::uint8_t> workspace_;
+  std::vector<std::uint8_t> workspace_, room_;
 };
 
 }  // namespace rotatebook::image

@@ -26,25 +26,19 @@ class PixelPacker {
 
  private:
   struct Band {
-    std::vector<std::uint8_t> packed;
-    std::size_t size = 0;  ///< Size before packing. [bytes]
-    std::uint32_t checksum = 0;
+    std::vector<std::uint8_t> filtered;
+    std::vector<std::uint8_t> packed;  ///< Empty if it isn't `filtered`'s.
+    std::uint32_t checksum = 0;        ///< Of `filtered`.
   };
 
   void packBands(const ImageView& view, bool alpha);
-  void prepareFor(const ImageView& view, bool alpha);
-  bool keepRow(const ImageView& view, int y);
-  /// Filters rows `top` to `bottom` - 1 into filtered_; returns their size. [bytes]
-  std::size_t filterRows(const ImageView& view, bool alpha, int top, int bottom);
+  /// Filters rows `top` to `bottom` - 1 into filtered_.
+  void filterRows(const ImageView& view, bool alpha, int top, int bottom);
   void appendBands(std::string& stream) const;
 
   BandCoder coder_;
   std::vector<std::uint8_t> filtered_;
-  std::vector<Band> bands_;
-  /// The last picture, whether its alpha was kept, and whether bands_ hold all of it.
-  Image last_;
-  bool lastHadAlpha_ = false;
-  bool lastIsWhole_ = false;
+  std::vector<Band> bands_;  // The last picture's.
 };
 
 }  // namespace rotatebook::image

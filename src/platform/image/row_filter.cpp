@@ -4,6 +4,8 @@
 #include <bit>
 #include <cstring>
 
+#include "image/wide_vectors.h"
+
 namespace rotatebook::image {
 namespace {
 
@@ -27,21 +29,40 @@ std::uint64_t differences(std::uint64_t row, std::uint64_t left) {
   return ((row | kHighest) - (left & ~kHighest)) ^ ((row ^ ~left) & kHighest);
 }
 
-/// Subtracts pixels of RGBA from those to their right, and drops their alpha. Two pixels a step in
-/// one register take 0.5 ms for 1280x720, a byte a step 1.0 ms.
-void subtractColours(const std::uint8_t* row, int pixels, std::uint8_t* out) {
+/// Subtracts colours of RGBA from those to their right. Two pixels a step in one register.
+void subtractColoursByBase(const std::uint8_t* row, int pixels, std::uint8_t* out) {
   constexpr std::uint64_t kFirst = 0xffffff;
-  out = std::copy_n(row, 3, out);
-  row += 4;
-  int x = 1;
+  int x = 0;
   for (; x + 2 <= pixels; x += 2, row += 8, out += 6) {
     const std::uint64_t both = differences(loadWord(row), loadWord(row - 4));
     storeWord(out, (both & kFirst) | ((both >> 8) & (kFirst << 24)));
   }
-  for (; x < pixels; ++x) {
-    for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(row[c] - row[c - 4]);
+  for (; x < pixels; ++x, row += 4) {
+    for (int c = 0; c < 3; ++c) *out++ = static_cast<std::uint8_t>(row[c] - row[c - 4]);
   }
 }
+
+#ifdef __x86_64__
+using FourPixels [[gnu::vector_size(16)]] = std::uint8_t;
+
+[[gnu::target("avx2")]] void subtractColoursByAvx2(const std::uint8_t* row, int pixels,
+                                                   std::uint8_t* out) {
+  int x = 0;
+  for (; x + 4 <= pixels; x += 4, row += 16, out += 12) {
+    FourPixels four, left;
+    std::memcpy(&four, row, sizeof four);
+    std::memcpy(&left, row - 4, sizeof left);
+    four -= left;
+    four = __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
+    std::memcpy(out, &four, sizeof four);
+  }
+  subtractColoursByBase(row, pixels - x, out);
+}
+
+const auto subtractColours = usesAvx2() ? &subtractColoursByAvx2 : &subtractColoursByBase;
+#else
+constexpr auto subtractColours = &subtractColoursByBase;
+#endif
 
 void subtract(const std::uint8_t* row, std::size_t bytes, std::size_t pixel, std::uint8_t* out) {
   std::copy_n(row, pixel, out);
@@ -60,7 +81,8 @@ std::uint8_t* filterRow(const ImageView& view, int y, bool alpha, std::uint8_t* 
   const int pixel = bytesPerPixel(view.format);
   *out++ = kFilterSub;
   if (pixel == 4 && !alpha) {
-    subtractColours(view.row(y), view.width, out);
+    std::copy_n(view.row(y), 3, out);
+    subtractColours(view.row(y) + 4, view.width - 1, out + 3);
   } else {
     subtract(view.row(y), bytes, static_cast<std::size_t>(pixel), out);
   }

@@ -75,7 +75,7 @@ PixelConverter::PixelConverter(int width, int height, bool transparent)
 
 PixelConverter::PixelConverter(int width, int height, bool transparent, AVPixelFormat target)
     : transparent_(transparent), frame_(makeTaggedFrame(width, height, target)) {
-  prepareFor(image::PixelFormat::Rgba8);
+  if (target == AV_PIX_FMT_YUV420P && OpaqueConverter::isHere()) opaque_.emplace(width);
 }
 
 void PixelConverter::send(image::ImageView picture, std::int64_t number) {
@@ -89,9 +89,13 @@ AVFrame* PixelConverter::receive() {
 
 AVFrame& PixelConverter::convert(image::ImageView picture) {
   requireSize(picture, frame_->width, frame_->height);
-  if (picture.format != scalerFormat_) prepareFor(picture.format);
   // The encoder may still hold the last frame.
   check(av_frame_make_writable(frame_.get()), "can't allocate a video frame");
+  if (opaque_ && picture.format == image::PixelFormat::Rgba8) {
+    opaque_->convert(picture, *frame_);
+    return *frame_;
+  }
+  if (!scaler_ || picture.format != scalerFormat_) prepareFor(picture.format);
   // The rows at the end of the picture's memory are copied to a buffer with room after them.
   const int rest = picture.height - kSliceRows;
   if (picture.stride < 0) {

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "image/image.h"
 #include "video/converter.h"
+#include "video/opaque_converter.h"
 
 namespace rotatebook::video {
 
@@ -35,9 +37,10 @@ class PixelConverter : public Converter {
   bool transparent_;
   bool ready_ = false;
   Handle<AVFrame> frame_;
-  Handle<SwsContext> scaler_;
+  std::optional<OpaqueConverter> opaque_;  // For Rgba8, where it can convert.
+  Handle<SwsContext> scaler_;              // For the rest, made when first needed.
   std::vector<std::uint8_t> copy_;
-  image::PixelFormat scalerFormat_ = image::PixelFormat::Rgba8;
+  image::PixelFormat scalerFormat_{};
 };
 
 }  // namespace rotatebook::video

@@ -144,16 +144,33 @@ TEST(PixelConverter, TakesBottomUpRows) {
   EXPECT_NE(samplesOf(converter.convert(turnedOver.view())), expected);
 }
 
+Image withoutAlpha(const Image& rgba) {
+  Image rgb(rgba.width(), rgba.height(), PixelFormat::Rgb8);
+  for (int y = 0; y < rgba.height(); ++y) {
+    for (int x = 0; x < rgba.width(); ++x) std::copy_n(rgba.row(y) + 4 * x, 3, rgb.row(y) + 3 * x);
+  }
+  return rgb;
+}
+
 TEST(PixelConverter, TakesBothFormatsInTurn) {
   const Image rgba = noisePicture(32, 20, PixelFormat::Rgba8);
-  Image rgb(32, 20, PixelFormat::Rgb8);
-  for (int y = 0; y < 20; ++y) {
-    for (int x = 0; x < 32; ++x) std::copy_n(rgba.row(y) + 4 * x, 3, rgb.row(y) + 3 * x);
-  }
+  const Image rgb = withoutAlpha(rgba);
   PixelConverter converter(32, 20);
   const std::string expected = samplesOf(converter.convert(rgba.view()));
   EXPECT_EQ(samplesOf(converter.convert(rgb.view())), expected);
   EXPECT_EQ(samplesOf(converter.convert(rgba.view())), expected);
+}
+
+// Pictures without alpha are always swscale's.
+TEST(PixelConverter, GivesSwscalesBytesByVectors) {
+  for (int width = 16; width <= 84; width += 2) {
+    for (const int height : {16, 18}) {
+      const Image rgba = noisePicture(width, height, PixelFormat::Rgba8);
+      PixelConverter converter(width, height);
+      const std::string expected = samplesOf(converter.convert(withoutAlpha(rgba).view()));
+      EXPECT_EQ(samplesOf(converter.convert(rgba.view())), expected) << width << "x" << height;
+    }
+  }
 }
 
 // Memory between two pages that nobody may touch: whoever reads a byte too far crashes.
@@ -180,10 +197,10 @@ class FencedBytes {
   std::uint8_t* bytes_;
 };
 
-void convertFenced(int width, int height, PixelFormat format) {
+void convertFenced(int width, int height, PixelFormat format, bool transparent = false) {
   const std::ptrdiff_t stride = std::ptrdiff_t{width} * image::bytesPerPixel(format);
   FencedBytes memory(static_cast<std::size_t>(stride * height));
-  PixelConverter converter(width, height);
+  PixelConverter converter(width, height, transparent);
   converter.convert({memory.bytes(), width, height, stride, format});
   converter.convert({memory.bytes() + stride * (height - 1), width, height, -stride, format});
 }
@@ -192,6 +209,7 @@ TEST(PixelConverter, ReadsNoByteBeyondThePicture) {
   for (int width = 16; width <= 132; width += 2) {
     convertFenced(width, 16, PixelFormat::Rgb8);
     convertFenced(width, 16, PixelFormat::Rgba8);
+    convertFenced(width, 16, PixelFormat::Rgba8, true);
   }
 }
 

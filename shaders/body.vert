@@ -13,13 +13,18 @@ layout(location = 6) in vec3 rolledOut;  // Position in the picture of strips; z
 uniform vec3 cage[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 uniform vec3 beside;  // Share of light that is scattered by what hides the surroundings.
+uniform vec3 eye;  // World. [m]
+uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
 out vec2 texCoord;
 out vec3 diffuseLight;   // Irradiance / pi. Linear.
-out vec3 worldPosition;  // [m]
+out vec3 fromEye;  // World. [m]
 out vec3 worldNormal;
 out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
+// Software rasterisers read a uniform in each pixel anew, which takes as long as 25 multiplications.
+flat out vec3 besideIt;  // beside
+flat out float stamped;  // 1 - plainCloth
 flat out float surfaceId;
 
 const float kLean = 1.28;  // Toward the middle of half the surroundings, where half is hidden.
@@ -30,7 +35,7 @@ void main() {
   vec3 edge00 = mix(cage[0], cage[1], x), edge10 = mix(cage[2], cage[3], x);
   vec3 edge01 = mix(cage[4], cage[5], x), edge11 = mix(cage[6], cage[7], x);
   vec3 back = mix(edge00, edge10, y), front = mix(edge01, edge11, y);
-  worldPosition = mix(back, front, z);
+  vec3 worldPosition = mix(back, front, z);
 
   // Map the normal by the cofactors of the map's derivatives along the cube's axes
   vec3 alongX = mix(mix(cage[1] - cage[0], cage[3] - cage[2], y),
@@ -43,6 +48,9 @@ void main() {
   vec3 normal = normalize(cofactors * unitNormal);
 
   texCoord = vertexTexCoord;
+  fromEye = worldPosition - eye;
+  besideIt = beside;
+  stamped = float(1 - plainCloth);
   worldNormal = normal;
   cubePosition = unitPosition;
   skyVisibility = vertexSkyVisibility;

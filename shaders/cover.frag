@@ -3,15 +3,14 @@
 // Cloth with gold stamping in a photographer's studio. Radiance is linear.
 in vec2 texCoord;
 in vec3 diffuseLight;
-in vec3 worldPosition;
+in vec3 fromEye;
 in vec3 worldNormal;
 in float skyVisibility;
+flat in vec3 besideIt;
+flat in float stamped;
 flat in float surfaceId;
 
 uniform sampler2D albedo;
-uniform vec3 eye;  // World. [m]
-uniform vec3 beside;  // As body.vert has it.
-uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
 out vec4 colour;  // Encoded as sRGB; alpha: surfaceId / 255.
 
@@ -30,9 +29,9 @@ float goldness(vec3 base) {
 
 void main() {
   vec3 base = texture(albedo, texCoord).rgb;
-  float gold = float(1 - plainCloth) * goldness(base);
-  vec3 toEye = normalize(eye - worldPosition);
-  vec3 normal = bumpedNormal(worldPosition, normalize(worldNormal), -kStampDepth * gold);
+  float gold = stamped * goldness(base);
+  vec3 toEye = normalize(-fromEye);
+  vec3 normal = bumpedNormal(fromEye, normalize(worldNormal), -kStampDepth * gold);
   // An interpolated normal may point away from the eye where the side hardly does.
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   float cloth = widenedRoughness(kClothRoughness, worldNormal);
@@ -40,7 +39,7 @@ void main() {
   vec3 mirrored = reflect(-toEye, normal);
   // A side beside the leaves shows them, seen from most places.
   float seen = skyVisibility * skyVisibility;
-  vec3 light = mix(1.4 * beside * diffuseLight, studio(mirrored, normal, roughness), seen);
+  vec3 light = mix(1.4 * besideIt * diffuseLight, studio(mirrored, normal, roughness), seen);
   vec3 share = metalShare(base, kGoldRoughness, nv);
   share = mix(vec3(dielectricShare(cloth, nv)), share, gold);
   vec3 radiance = (1.0 - gold) * base * diffuseLight + light * share;

@@ -18,7 +18,7 @@ const vec2 kKeySize = vec2(0.50, 0.40);
 const vec2 kFillSize = vec2(0.22, 0.80);
 const vec2 kRimSize = vec2(1.10, 0.22);
 
-// Returns the normal of a surface at `position` (world) whose height changes from pixel to pixel
+// Returns the normal of a surface at `position` (world, from anywhere) whose height changes from pixel to pixel
 // (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010).
 vec3 bumpedNormal(vec3 position, vec3 normal, float height) {
   vec3 acrossX = dFdx(position), acrossY = dFdy(position);
@@ -29,15 +29,15 @@ vec3 bumpedNormal(vec3 position, vec3 normal, float height) {
   return normalize(max(abs(area), 1e-15) * normal - gradient);
 }
 
-// Returns the share of a lobe of this width about `mirrored` that a softbox fills.
-float filledShare(vec3 mirrored, vec3 direction, vec2 halfSize, float width) {
+// Returns the share of a lobe of 1 / `sharpness` about `mirrored` that a softbox fills.
+float filledShare(vec3 mirrored, vec3 direction, vec2 halfSize, float sharpness) {
   vec3 side = normalize(vec3(direction.z, 0.0, -direction.x));
   vec3 up = cross(direction, side);
   float ahead = dot(mirrored, direction);
-  vec2 position = vec2(dot(mirrored, side), dot(mirrored, up)) / max(ahead, 0.05);
-  vec2 inside = clamp((halfSize - abs(position)) / width + 0.5, 0.0, 1.0);
+  vec2 position = vec2(dot(mirrored, side), dot(mirrored, up)) * (1.0 / max(ahead, 0.05));
+  vec2 inside = clamp((halfSize - abs(position)) * sharpness + 0.5, 0.0, 1.0);
   // A small box can't fill a wide lobe.
-  vec2 maxShare = min(2.0 * halfSize / width, 1.0);
+  vec2 maxShare = min(2.0 * halfSize * sharpness, 1.0);
   return ahead > 0.0 ? inside.x * inside.y * maxShare.x * maxShare.y : 0.0;
 }
 
@@ -47,12 +47,12 @@ float filledShare(vec3 mirrored, vec3 direction, vec2 halfSize, float width) {
 vec3 studio(vec3 mirrored, vec3 normal, float roughness) {
   float a = roughness * roughness;
   float grazing = 0.5 + 0.5 * dot(mirrored, normal);
-  float width = grazing * min(6.0 * a, 0.15 + 1.1 * roughness) + 0.01;
+  float sharpness = 1.0 / (grazing * min(6.0 * a, 0.15 + 1.1 * roughness) + 0.01);
   float height = smoothstep(-0.5 - a, 0.7 + a, mirrored.y);
   vec3 light = mix(kBelow, kAbove, height) + kWall * smoothstep(0.1 - a, 1.0, mirrored.z);
-  light += kKeyRadiance * filledShare(mirrored, kKeyDirection, kKeySize, width);
-  light += kFillRadiance * filledShare(mirrored, kFillDirection, kFillSize, width);
-  light += kRimRadiance * filledShare(mirrored, kRimDirection, kRimSize, width);
+  light += kKeyRadiance * filledShare(mirrored, kKeyDirection, kKeySize, sharpness);
+  light += kFillRadiance * filledShare(mirrored, kFillDirection, kFillSize, sharpness);
+  light += kRimRadiance * filledShare(mirrored, kRimDirection, kRimSize, sharpness);
   vec3 tail = scatteredLight(normalize(mirrored + normal));
   return mix(light, tail, grazing * smoothstep(0.0, 1.0, roughness));
 }
@@ -69,7 +69,7 @@ float dielectricShare(float roughness, float nv) {
 vec3 metalShare(vec3 base, float roughness, float nv) {
   float r2 = roughness * roughness, miss = 1.0 - nv, miss2 = miss * miss;
   float full = 1.0 - r2 * (0.68 - 0.25 * miss);
-  return mix(vec3(0.87 * miss2 * miss2 / (1.0 + 11.3 * r2)), vec3(full), base);
+  return mix(vec3(0.87 / (1.0 + 11.3 * r2) * miss2 * miss2), vec3(full), base);
 }
 
 // Returns the roughness whose lobe is as wide as that of all the pixel's normals together

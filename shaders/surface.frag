@@ -4,7 +4,7 @@
 // linear.
 in vec2 texCoord;
 in vec3 diffuseLight;
-in vec3 worldPosition;
+in vec3 fromEye;
 in vec3 worldNormal;
 in vec3 cubePosition;
 in float skyVisibility;
@@ -12,7 +12,6 @@ flat in float surfaceId;
 
 uniform sampler2D albedo;
 uniform sampler2D metalRoughness;  // Green: roughness, blue: metalness.
-uniform vec3 eye;                  // World. [m]
 uniform vec3 baseColour;
 uniform vec2 metalAndRoughness;     // Factors.
 uniform vec3 grainsAcross;          // Grains along the unit cube's axes; 0 for no grain.
@@ -64,9 +63,9 @@ void main() {
   if (grainsAcross.x > 0.0) {
     float grain = grainAt(grainsAcross * cubePosition);
     base *= 1.0 + contrastAndRelief.x * grain;
-    normal = bumpedNormal(worldPosition, normal, contrastAndRelief.y * grain);
+    normal = bumpedNormal(fromEye, normal, contrastAndRelief.y * grain);
   }
-  vec3 toEye = normalize(eye - worldPosition);
+  vec3 toEye = normalize(-fromEye);
   // An interpolated normal may point away from the eye where the side hardly does.
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   rough = widenedRoughness(rough, worldNormal);

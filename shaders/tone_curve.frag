@@ -13,7 +13,7 @@ vec3 toneMap(vec3 radiance) {
   float room = 1.0 - kStart;
   float newPeak = 1.0 - room * room / (peak + room - kStart);
   float grey = 1.0 - 1.0 / (kDesaturation * (peak - newPeak) + 1.0);
-  return mix(radiance * newPeak / peak, vec3(newPeak), grey);
+  return mix(radiance * (newPeak / peak), vec3(newPeak), grey);
 }
 
 // Returns the sRGB value of linear light, both 0 to 1 (IEC 61966-2-1), within 0.0012 of an 8-bit

@@ -53,7 +53,8 @@ using FourPixels [[gnu::vector_size(16)]] = std::uint8_t;
     std::memcpy(&four, row, sizeof four);
     std::memcpy(&left, row - 4, sizeof left);
     four -= left;
-    four = __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
+    four =
+        __builtin_shufflevector(four, four, 0, 1, 2, 4, 5, 6, 8, 9, 10, 12, 13, 14, 3, 7, 11, 15);
     std::memcpy(out, &four, sizeof four);
   }
   subtractColoursByBase(row, pixels - x, out);

@@ -36,7 +36,7 @@ image::Image flippedVertically(image::ImageView picture) {
 }
 
 void upload(int level, const image::Image& picture, TextureContent content) {
-  const GLint inside = content == TextureContent::Colour ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+  const GLint inside = content == TextureContent::Colour ? GL_SRGB8 : GL_RGB8;
   const GLenum format = picture.format() == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
   glTexImage2D(GL_TEXTURE_2D, level, inside, picture.width(), picture.height(), 0, format,
                GL_UNSIGNED_BYTE, picture.row(0));

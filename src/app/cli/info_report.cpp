@@ -112,7 +112,8 @@ std::string spinText(const Spin& spin) {
   std::string line =
       fmt::format("{} rad/s ({} turns a second)", text(speed), text(speed / (2 * pi)));
   if (spin.equal == EqualMoments::All) return line;
-  line += fmt::format(", {} degrees from {}", degrees(spin.offAxis),
+  const std::string off = degrees(spin.offAxis);
+  line += fmt::format(", {} degree{} from {}", off, off == "1" ? "" : "s",
                       axisText(spin.axes[spin.spunAxis]));
   return spin.equal == EqualMoments::None ? fmt::format("{}, {}", line, kAxes[spin.spunAxis])
                                           : line;

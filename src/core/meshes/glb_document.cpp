@@ -231,8 +231,8 @@ std::size_t GlbDocument::size(const char* list) const {
 
 const GlbDocument::Json& GlbDocument::at(const char* list, std::size_t index) const {
   if (index >= size(list)) {
-    throw InputError(std::string(list) + " has no number " + std::to_string(index) +
-                     ", which is used; export the file again");
+    throw InputError("number " + std::to_string(index) + " of " + list +
+                     " is used but isn't there; export the file again");
   }
   return member(json_, list)[index];
 }

@@ -50,7 +50,8 @@ Type typeOf(std::string_view name, const MeshWords& words) {
   for (std::size_t i = 0; i < std::size(kTypeNames); ++i) {
     if (name == kTypeNames[i][0] || name == kTypeNames[i][1]) return static_cast<Type>(i);
   }
-  words.fail("unknown type " + quotedBeginning(name, 40) + "; \"float\" or \"int\", for example");
+  words.fail("unknown type " + quotedBeginning(name, 40) +
+             "; write one of PLY's, such as float or int");
 }
 
 Encoding encodingOf(std::string_view name, const MeshWords& words) {
@@ -89,7 +90,8 @@ bool readHeaderLine(MeshWords& words, Header& header) {
     }
     header.elements.push_back({name, count});
   } else if (kind == "property") {
-    if (header.elements.empty()) words.fail("a property before the first element");
+    if (header.elements.empty())
+      words.fail("a property comes before any element that could have it");
     if (header.elements.back().properties.size() >= kMaxProperties)
       words.fail("more than " + std::to_string(kMaxProperties) +
                  " properties; leave out what is neither x, y, z nor vertex_indices");

@@ -193,7 +193,8 @@ ReadOptions after(double zero, ReadOptions options) {
 std::string droppedNote(const SensorRows& rows) {
   if (rows.dropped == 0) return "";
   return countText(static_cast<std::int64_t>(rows.dropped), "row") +
-         " without a reading at the table's ends left out";
+         (rows.dropped == 1 ? " at the table's ends has no reading and is left out"
+                            : " at the table's ends have no reading and are left out");
 }
 
 SpinSource sourceOf(const Columns& columns) {

@@ -111,8 +111,8 @@ TEST_F(SimulateCommand, SaysWhichSceneHasTooLongSteps) {
       result.error,
       "note: tiny: the body spins by 1.59 turns from frame to frame, which no eye can follow; "
       "choose a shorter simulation.time_per_frame\n"
-      "rotatebook: tiny.toml: the integrator dmv2 finds no solution for a step of 2 s: the "
-      "one that short steps have ends before; use shorter steps (more substeps)\n");
+      "rotatebook: tiny.toml: the integrator dmv2 finds no solution for a step of 2 s: so "
+      "long a step may have none; use shorter steps (more substeps)\n");
   EXPECT_THAT(files(), IsEmpty());
 }
 

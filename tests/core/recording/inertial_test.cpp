@@ -34,10 +34,11 @@ TEST(Inertial, DropsRowsWithoutReadingsAtTheEnds) {
   const InertialRecording recording = inertial(text);
   EXPECT_EQ(recording.readings.size(), 2U);
   EXPECT_THAT(recording.notes,
-              ElementsAre("3 rows without a reading at the table's ends left out"));
+              ElementsAre("3 rows at the table's ends have no reading and are left out"));
   const RecordedMotion motion = readRecording(text, "m.csv", {});
   EXPECT_EQ(motion.duration(), 1);
-  EXPECT_THAT(motion.notes(), ElementsAre("3 rows without a reading at the table's ends left out"));
+  EXPECT_THAT(motion.notes(),
+              ElementsAre("3 rows at the table's ends have no reading and are left out"));
 }
 
 TEST(Inertial, NamesTheRowThatLacksAReadingInTheMiddle) {

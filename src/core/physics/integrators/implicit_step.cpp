@@ -8,10 +8,9 @@
 namespace rotatebook::physics {
 
 void throwNoConvergence(const char* integrator, double h) {
-  throw NoConvergence(
-      std::string("the integrator ") + integrator + " finds no solution for a step of " +
-      roundedText(h, 4) +
-      " s: the one that short steps have ends before; use shorter steps (more substeps)");
+  throw NoConvergence(std::string("the integrator ") + integrator +
+                      " finds no solution for a step of " + roundedText(h, 4) +
+                      " s: so long a step may have none; use shorter steps (more substeps)");
 }
 
 }  // namespace rotatebook::physics

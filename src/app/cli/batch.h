@@ -54,7 +54,7 @@ int reportBatch(bool json, const char* key, std::vector<Outcome>& outcomes, cons
   if (!json) return work(std::cout);
   std::ostream nowhere(nullptr);
   const int status = guarded([&] { return work(nowhere); });
-  std::cout << jsonText(batchJson(key, outcomes, asJson, status >= kInterrupted)) << '\n';
+  std::cout << jsonLine(batchJson(key, outcomes, asJson, status >= kInterrupted));
   return status;
 }
 

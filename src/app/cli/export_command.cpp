@@ -75,16 +75,15 @@ void report(const std::string& name, const std::string& output, const std::strin
 
 void reportAsJson(const std::string& name, const std::string& output, const std::string& label,
                   const interchange::MotionFile& file) {
-  fmt::print(std::cout, "{}\n",
-             jsonText({{"name", name},
-                       {"file", output},
-                       {"bytes", file.bytes.size()},
-                       {"panel", orNull(label)},
-                       {"keys", file.keys},
-                       {"seconds", file.seconds},
-                       {"error_deg", file.errorDeg},
-                       {"error_m", orNull(file.errorM)},
-                       {"notes", file.notes}}));
+  std::cout << jsonLine({{"name", name},
+                         {"file", output},
+                         {"bytes", file.bytes.size()},
+                         {"panel", orNull(label)},
+                         {"keys", file.keys},
+                         {"seconds", file.seconds},
+                         {"error_deg", file.errorDeg},
+                         {"error_m", orNull(file.errorM)},
+                         {"notes", file.notes}});
 }
 
 int exportScene(const ExportArguments& arguments) {

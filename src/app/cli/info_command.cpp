@@ -75,9 +75,8 @@ Json infoJson(const Info& info) {
 }
 
 void printJson(const std::string& name, const std::string& title, const std::vector<Info>& infos) {
-  fmt::print(
-      std::cout, "{}\n",
-      jsonText({{"name", name}, {"title", orNull(title)}, {"motions", arrayOf(infos, infoJson)}}));
+  std::cout << jsonLine(
+      {{"name", name}, {"title", orNull(title)}, {"motions", arrayOf(infos, infoJson)}});
 }
 
 void showScene(const InfoArguments& options) {

@@ -120,7 +120,7 @@ void writePack(const std::filesystem::path& folder) {
                    "s, rad/s, kg m^2; attitudes turn the body into the world, rates are along the "
                    "world's axes"},
                   {"motions", motions}};
-  files.emplace_back(index, jsonText(pack) + '\n');
+  files.emplace_back(index, jsonLine(pack));
   system::createFolders(folder);
   for (const auto& [file, content] : files) system::writeFileAtomically(file, content);
 }

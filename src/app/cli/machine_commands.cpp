@@ -68,7 +68,7 @@ std::string limitText(const pipeline::SpeedLimit& limit, const pipeline::Speed& 
       limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall, what);
 }
 
-std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Speed& speed) {
+std::string speedAdviceText(const pipeline::SpeedAdvice& advice, const pipeline::Speed& speed) {
   return fmt::format("    {:<24} up to {:.2f} times as fast, {:.0f} frames/s; {}\n", advice.change,
                      advice.gain, advice.gain * speed.framesPerSecond(), advice.effect);
 }
@@ -106,26 +106,25 @@ void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::o
   out << limitText(speedLimit(speed.stages, speed.cores), speed);
   const auto advice = speedAdvice(scene, speed);
   if (!advice.empty()) out << "  what would help:\n";
-  for (const pipeline::SpeedAdvice& one : advice) out << adviceText(one, speed);
+  for (const pipeline::SpeedAdvice& one : advice) out << speedAdviceText(one, speed);
 }
 
 void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
   const pipeline::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
-  fmt::print(out, "{}\n",
-             jsonText({{"scene", scene.name},
-                       {"frames", speed.frames},
-                       {"width", scene.clip.width},
-                       {"height", scene.clip.height},
-                       {"cores", speed.cores},
-                       {"renderer", speed.renderer},
-                       {"encoder", speed.encoder},
-                       {"start_up_s", speed.startUp},
-                       {"frames_per_second", speed.framesPerSecond()},
-                       {"whole", json(speed.whole)},
-                       {"drawing", json(speed.drawing)},
-                       {"limit", limit.wall},
-                       {"limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key},
-                       {"stages", json(speed.stages)}}));
+  out << jsonLine({{"scene", scene.name},
+                   {"frames", speed.frames},
+                   {"width", scene.clip.width},
+                   {"height", scene.clip.height},
+                   {"cores", speed.cores},
+                   {"renderer", speed.renderer},
+                   {"encoder", speed.encoder},
+                   {"start_up_s", speed.startUp},
+                   {"frames_per_second", speed.framesPerSecond()},
+                   {"whole", json(speed.whole)},
+                   {"drawing", json(speed.drawing)},
+                   {"limit", limit.wall},
+                   {"limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key},
+                   {"stages", json(speed.stages)}});
 }
 
 namespace {

@@ -155,11 +155,10 @@ void reportSimulationAsJson(const scene::Scene& scene, const std::vector<Written
   for (const WrittenTable& table : tables) {
     written.push_back({{"path", table.path.string()}, {"rows", table.rows}});
   }
-  fmt::print(out, "{}\n",
-             jsonText({{"name", scene.name},
-                       {"title", scene.title},
-                       {"tables", written},
-                       {"motions", motionsJson(motions)}}));
+  out << jsonLine({{"name", scene.name},
+                   {"title", scene.title},
+                   {"tables", written},
+                   {"motions", motionsJson(motions)}});
 }
 
 namespace {

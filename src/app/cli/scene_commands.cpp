@@ -169,8 +169,7 @@ int checkScenes(const CheckArguments& arguments) {
     std::cout << (arguments.print ? scene::sceneText(*file.scene) : oneLine(name) + ": ok\n");
   }
   if (isList) printList(files);
-  if (arguments.json)
-    fmt::print(std::cout, "{}\n", jsonText({{"scenes", arrayOf(files, checkJson)}}));
+  if (arguments.json) std::cout << jsonLine({{"scenes", arrayOf(files, checkJson)}});
   return statusOfAll(files);
 }
 

@@ -260,7 +260,7 @@ int finish(StudiedScene& task, std::ostream& out) {
     note(plotted.path);
   }
   note(task.files.json);
-  system::writeFileAtomically(task.files.json, jsonText(studyJson(besideItsFiles(task))) + '\n');
+  system::writeFileAtomically(task.files.json, jsonLine(studyJson(besideItsFiles(task))));
   fmt::print(out, "  wrote {}\n", oneLine(listed(task.written)));
   return status;
 }

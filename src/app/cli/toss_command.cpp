@@ -122,7 +122,7 @@ void reportToss(const recording::TossFit& fit, const std::string& name, std::ost
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
   Json object{{"name", name}, {"from_s", fit.from}, {"to_s", fit.to}};
   object.update(fitJson(fit));
-  fmt::print(out, "{}\n", jsonText(object));
+  out << jsonLine(object);
 }
 
 /// Prints a line for each throw of a recording: its time and spin, and its ratios or why it is
@@ -154,7 +154,7 @@ void reportThrows(const std::vector<recording::Throw>& throws, const std::string
 
 void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
                         std::ostream& out) {
-  fmt::print(out, "{}\n", jsonText({{"name", name}, {"throws", arrayOf(throws, throwJson)}}));
+  out << jsonLine({{"name", name}, {"throws", arrayOf(throws, throwJson)}});
 }
 
 /// Returns a scene of the toss: the recording beside the exact motion from its fitted start, at a

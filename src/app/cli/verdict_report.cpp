@@ -197,8 +197,7 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
 void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                           std::ostream& out) {
   const auto asJson = [&](const auto& one) { return verdictJson(one, bounds); };
-  fmt::print(out, "{}\n",
-             jsonText({{"met", allMet(motions, bounds)}, {"motions", arrayOf(motions, asJson)}}));
+  out << jsonLine({{"met", allMet(motions, bounds)}, {"motions", arrayOf(motions, asJson)}});
 }
 
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {

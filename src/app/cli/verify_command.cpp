@@ -202,17 +202,16 @@ void reportVerification(const std::string& clip, const Verification& found, std:
 void reportVerificationAsJson(const std::string& clip, const Verification& found,
                               std::ostream& out) {
   const auto asJson = [](const auto& check) { return json(check); };
-  fmt::print(out, "{}\n",
-             jsonText({{"clip", clip},
-                       {"proved", found.verdict() == pipeline::Verdict::Proved},
-                       {"verdict", rowOf(found.verdict()).word},
-                       {"quantiser", orNull(found.quantiser)},
-                       {"made_with", json(found.record.provenance)},
-                       {"frames", json(found.range)},
-                       {"whole_frames", found.wholeCount},
-                       {"tools_differ", found.toolsDiffer},
-                       {"checks", arrayOf(found.checks, asJson)},
-                       {"pictures", arrayOf(found.pictures, asJson)}}));
+  out << jsonLine({{"clip", clip},
+                   {"proved", found.verdict() == pipeline::Verdict::Proved},
+                   {"verdict", rowOf(found.verdict()).word},
+                   {"quantiser", orNull(found.quantiser)},
+                   {"made_with", json(found.record.provenance)},
+                   {"frames", json(found.range)},
+                   {"whole_frames", found.wholeCount},
+                   {"tools_differ", found.toolsDiffer},
+                   {"checks", arrayOf(found.checks, asJson)},
+                   {"pictures", arrayOf(found.pictures, asJson)}});
 }
 
 struct VerifyArguments {

@@ -195,16 +195,15 @@ void reportCheckup(const Checkup& checkup, std::ostream& out) {
 
 void reportCheckupAsJson(const Checkup& checkup, std::ostream& out) {
   const auto asJson = [](const auto& part) { return json(part); };
-  fmt::print(out, "{}\n",
-             jsonText({{"ready", checkup.ready()},
-                       {"version", kVersion},
-                       {"graphics", json(checkup.graphics)},
-                       {"encoders", arrayOf(checkup.encoders, asJson)},
-                       {"font_error", orNull(checkup.fontFailure)},
-                       {"folder", json(checkup.folder)},
-                       {"cores", checkup.cores},
-                       {"memory_bytes", checkup.memory},
-                       {"problems", arrayOf(checkup.problems, asJson)}}));
+  out << jsonLine({{"ready", checkup.ready()},
+                   {"version", kVersion},
+                   {"graphics", json(checkup.graphics)},
+                   {"encoders", arrayOf(checkup.encoders, asJson)},
+                   {"font_error", orNull(checkup.fontFailure)},
+                   {"folder", json(checkup.folder)},
+                   {"cores", checkup.cores},
+                   {"memory_bytes", checkup.memory},
+                   {"problems", arrayOf(checkup.problems, asJson)}});
 }
 
 }  // namespace rotatebook::diagnose

@@ -84,7 +84,7 @@ Json taskJson(const TaskState& task) {
   return object;
 }
 
-Json sceneJson(const SceneState& scene) {
+Json sceneStateJson(const SceneState& scene) {
   return Json{
       {"name", scene.name}, {"done", scene.done}, {"units", scene.units}, {"whole", scene.isWhole}};
 }
@@ -98,7 +98,7 @@ Json stateJson(const PlanState& state) {
           {"queue_problem", orNull(state.queueProblem)},
           {"jobs", state.jobs.arrays},
           {"join_job", orNull(state.jobs.join)},
-          {"scenes", arrayOf(state.scenes, sceneJson)},
+          {"scenes", arrayOf(state.scenes, sceneStateJson)},
           {"tasks", arrayOf(state.tasks, taskJson)},
           {"join", state.join ? taskJson(*state.join) : Json()}};
 }
@@ -133,7 +133,7 @@ void reportStates(const std::vector<PlanState>& states, std::ostream& out) {
 }
 
 void reportStatesAsJson(const std::vector<PlanState>& states, std::ostream& out) {
-  fmt::print(out, "{}\n", jsonText({{"plans", arrayOf(states, stateJson)}}));
+  out << jsonLine({{"plans", arrayOf(states, stateJson)}});
 }
 
 }  // namespace rotatebook::farm

@@ -21,7 +21,7 @@ constexpr std::string_view kRow =
 
 constexpr std::string_view kBadge = R"(<p class="badge unmet">{{text}}</p>)";
 
-constexpr std::string_view kFolded = R"(<details class="expectations"{{open}}>
+constexpr std::string_view kFoldedTables = R"(<details class="expectations"{{open}}>
 <summary><span class="badge {{class}}">{{text}}</span></summary>
 {{tables}}</details>
 )";
@@ -88,10 +88,10 @@ Html unmetBadge(const std::vector<Check>& checks, const Language& say) {
 Html foldedChecks(const std::vector<Check>& checks, const Html& tables, const Language& say) {
   if (checks.empty()) return {};
   const bool met = areAllMet(checks);
-  return filled(kFolded, {{"open", {met ? "" : " open"}},
-                          {"class", {met ? "met" : "unmet"}},
-                          {"text", countText(checks, say)},
-                          {"tables", tables}});
+  return filled(kFoldedTables, {{"open", {met ? "" : " open"}},
+                                {"class", {met ? "met" : "unmet"}},
+                                {"text", countText(checks, say)},
+                                {"tables", tables}});
 }
 
 }  // namespace rotatebook::page

@@ -24,7 +24,7 @@ constexpr std::string_view kSheet = R"(<ul class="sheet">
 )";
 
 /// Opened by a link to a figure in it, too, by a search and by printing.
-constexpr std::string_view kFolded =
+constexpr std::string_view kFoldedContent =
     R"(<details class="folded"><summary>{{"{count} more"}}</summary>
 {{content}}</details>
 )";
@@ -86,7 +86,7 @@ Html itemOf(const Figure& figure) {
 Html foldedAway(const ToldChapter& chapter, const Html& content, const Language& say) {
   const auto count = std::ranges::count_if(chapter.figures, &ToldFigure::isFolded);
   if (count == 0) return {};
-  return filled(kFolded, {{"count", {std::to_string(count)}}, {"content", content}}, say);
+  return filled(kFoldedContent, {{"count", {std::to_string(count)}}, {"content", content}}, say);
 }
 
 Html overviewOf(const std::vector<ToldChapter>& chapters, const Language& say) {

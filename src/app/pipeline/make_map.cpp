@@ -129,7 +129,7 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRun
   image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
   for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
     system::writeMarked(plotted.path, plotted.bytes);
-  system::writeFileAtomically(files.json, jsonText(json) + '\n');
+  system::writeFileAtomically(files.json, jsonLine(json));
   store::MapTiles(files.tiles, "").remove();
   return written;
 }

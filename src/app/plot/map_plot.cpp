@@ -41,7 +41,7 @@ std::string refusedText(const scene::MapSettings& map) {
   return isMoment(map.x) || isMoment(map.y) ? "no such body" : "refused";
 }
 
-Axis axisOf(const scene::Axis& axis) {
+Axis mapAxis(const scene::Axis& axis) {
   const bool isInDegrees =
       axis.kind == scene::AxisKind::SpinLongitude || axis.kind == scene::AxisKind::SpinLatitude;
   return {nameOf(axis), axis.from, axis.to, axis.scale, isInDegrees};
@@ -119,7 +119,7 @@ Plot emptyPlot(const scene::Scene& scene, int leastWidth) {
   plot.isDark = true;
   plot.leastWidth = leastWidth;
   for (const scene::Panel& motion : scene.motions) {
-    Panel panel{motion.label, axisOf(map.x), axisOf(map.y), !plot.panels.empty()};
+    Panel panel{motion.label, mapAxis(map.x), mapAxis(map.y), !plot.panels.empty()};
     panel.pen = {kContourColour, 0.09 * plot.letters, 0.7};
     for (const scene::MapMark& mark : map.marks)
       panel.marks.push_back({{mark.x, mark.y}, mark.label});

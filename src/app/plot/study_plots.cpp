@@ -162,7 +162,7 @@ std::vector<Series> seriesOf(const study::Study& result, const scene::StudySetti
 }
 
 /// Returns the axis of the key that is varied; words are at their ranks.
-Axis axisOf(const scene::Axis& key) {
+Axis studyAxis(const scene::Axis& key) {
   std::vector<double> places;
   Axis axis{scene::nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
   for (const scene::AxisValue& value : key.values) {
@@ -190,7 +190,7 @@ Plot plotOf(const study::Study& result, const scene::StudySettings& study) {
     const std::vector<Series> series = seriesOf(result, study, i);
     const std::string name(rowOf(study.measures[i]).studied);
     plot.panels.push_back(
-        panelOf(axisOf(study.x), axisFor(name, valuesAlong(1, series), true), series));
+        panelOf(studyAxis(study.x), axisFor(name, valuesAlong(1, series), true), series));
   }
   return plot;
 }

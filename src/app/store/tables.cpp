@@ -22,8 +22,8 @@ void writeResult(const std::filesystem::path& file, const scene::Scene& scene,
                  const std::vector<timeline::MotionSummary>& summaries,
                  std::string_view motionSum) {
   const std::string sceneSum = sceneChecksum(scene);
-  system::writeFileAtomically(
-      file, jsonText(clipJson(scene, motion, summaries, {sceneSum, motionSum})) + '\n');
+  system::writeFileAtomically(file,
+                              jsonLine(clipJson(scene, motion, summaries, {sceneSum, motionSum})));
 }
 
 }  // namespace rotatebook::store

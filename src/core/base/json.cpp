@@ -14,6 +14,10 @@ std::string jsonText(const Json& json) {
   return json.dump(-1, ' ', /*ensure_ascii=*/false, Json::error_handler_t::replace);
 }
 
+std::string jsonLine(const Json& json) {
+  return jsonText(json) + '\n';
+}
+
 bool isResultOf(std::string_view kind, std::string_view text) {
   std::string start = jsonText({{"result", kind}});
   start.pop_back();

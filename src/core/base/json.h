@@ -47,6 +47,8 @@ Json roundedJson(double value, int digits);
 /// Returns `json` on one line. Numbers read back as what they are, or are null unless they are
 /// finite; bytes that aren't UTF-8 become U+FFFD.
 std::string jsonText(const Json& json);
+/// Returns jsonText() and the line's end, as commands print it and files hold it.
+std::string jsonLine(const Json& json);
 
 /// Returns whether `text`, or its beginning, is a result of a command: "clip", "map" or "study",
 /// as the object's first member says.

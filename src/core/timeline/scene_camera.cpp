@@ -22,8 +22,8 @@ double verticalFieldOfView(double angle, bool isPanel, const geometry::Screen& s
 
 /// Returns an angle less whole turns, from -pi to pi. [rad]
 double withoutTurns(double angle) {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  return angle - kTurn * std::round(angle / kTurn);
+  constexpr double kFullTurn = 2 * std::numbers::pi;
+  return angle - kFullTurn * std::round(angle / kFullTurn);
 }
 
 double mixed(double a, double b, double share) {

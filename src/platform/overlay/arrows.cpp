@@ -22,8 +22,8 @@ constexpr double kOmegaLength = 0.86, kMomentumLength = 1;
 // Velocities above this many times the start's don't shorten the arrows of all others.
 constexpr double kLargestVelocity = 2;
 constexpr double kLargestMomentum = 1.05;
-constexpr double kTrailTime = 4;  // of the clip [s]
-constexpr int kTrailParts = 24;   // each has its own opacity
+constexpr double kTipTrailTime = 4;  // of the clip [s]
+constexpr int kTrailParts = 24;      // each has its own opacity
 
 // L's arrow is mostly the longest, and its letter is placed first; the letters of arrows that
 // coincide with it are placed to its left and right.
@@ -176,7 +176,7 @@ class Trail final : public DrawnOverlay {
 };
 
 Trail::Trail(const OverlayContext& context)
-    : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
+    : context_(context), length_(context.scene.clip.frameRate.framesIn(kTipTrailTime)) {
   const ArrowScale scale(context);
   for (const physics::Sample& sample : context.trajectory.samples) {
     const Eigen::Matrix3d rotation = context.frame.fromWorld(sample);

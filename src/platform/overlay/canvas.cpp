@@ -14,7 +14,7 @@
 namespace rotatebook::overlay {
 namespace {
 
-constexpr double kHaloOpacity = 0.55;
+constexpr double kLineHaloOpacity = 0.55;
 // Points are clamped to this: Cairo clips only what its fixed-point coordinates can hold. [pixels]
 constexpr double kFarAway = 20'000;
 
@@ -105,7 +105,7 @@ struct Canvas::Parts {
   void stroke(const Box& hull, const Pen& pen) {
     touch(hull.grown(pen.width / 2 + pen.halo));
     if (pen.halo > 0) {
-      setColour(cairo.get(), ink(kDark), kHaloOpacity * pen.opacity);
+      setColour(cairo.get(), ink(kDark), kLineHaloOpacity * pen.opacity);
       cairo_set_line_width(cairo.get(), pen.width + 2 * pen.halo);
       cairo_stroke_preserve(cairo.get());
     }

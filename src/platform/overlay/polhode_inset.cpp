@@ -23,7 +23,7 @@ namespace {
 constexpr int kCurvePoints = 180;
 constexpr double kFilled = 0.44;    // share of the box, from its centre to the farthest point
 constexpr double kFarthest = 1.25;  // larger momenta are drawn at this distance
-constexpr double kTrailTime = 1.5;  // of the clip [s]
+constexpr double kPolhodeTrailTime = 1.5;  // of the clip [s]
 constexpr Colour kEllipsoidColour{0.46, 0.54, 0.68};
 
 /// Returns the rotation from the principal axes to right, up and toward the viewer, who looks from
@@ -145,7 +145,7 @@ class FreePolhode {
   void draw(const View& view) {
     view.canvas.lay(background_, view.picture);
     const Scale& scale = context_.scale;
-    const auto length = context_.scene.clip.frameRate.framesIn(kTrailTime);
+    const auto length = context_.scene.clip.frameRate.framesIn(kPolhodeTrailTime);
     std::vector<Point> trail;
     const auto start = static_cast<std::int64_t>(start_);
     for (auto i = std::max(start, view.frame - length); i <= view.frame; ++i) {

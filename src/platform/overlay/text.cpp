@@ -33,7 +33,7 @@ using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_de
 using LayoutIterator = std::unique_ptr<PangoLayoutIter, Deleter<&pango_layout_iter_free>>;
 using Attributes = std::unique_ptr<PangoAttrList, Deleter<&pango_attr_list_unref>>;
 
-constexpr double kHaloOpacity = 0.8;
+constexpr double kLetterHaloOpacity = 0.8;
 
 /// A font file in memory, which has a path because fontconfig takes only paths.
 class FontFile {
@@ -155,7 +155,8 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const In
   if (style.halo > 0) {
     pango_cairo_layout_path(cairo, layout);
     const Colour edge = ink(kDark);
-    cairo_set_source_rgba(cairo, edge.red, edge.green, edge.blue, kHaloOpacity * style.opacity);
+    cairo_set_source_rgba(cairo, edge.red, edge.green, edge.blue,
+                          kLetterHaloOpacity * style.opacity);
     cairo_set_line_width(cairo, 2 * style.halo);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cairo);

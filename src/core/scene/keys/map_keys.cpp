@@ -75,7 +75,7 @@ std::string numbersIfAny(const std::vector<double>& numbers) {
   return numbers.empty() ? "" : numbersText(numbers);
 }
 
-std::string flagText(bool flag) {
+std::string trueOrNothing(bool flag) {
   return flag ? "true" : "";
 }
 
@@ -89,7 +89,7 @@ std::vector<double> contoursFrom(const ValueReader& value) {
 Keys<MapColours> colourKeys() {
   static constexpr std::array keys{
       choice<&MapColours::palette, kPalettes>("palette"),
-      own<&MapColours::reversed, flagFrom, flagText>("reversed", {.flag = true}, kFlags),
+      own<&MapColours::reversed, flagFrom, trueOrNothing>("reversed", {.flag = true}, kFlags),
       choice<&MapColours::scale, kScales>("scale"),
       number<&MapColours::from>("from", kNumber),
       number<&MapColours::to>("to", kNumber),
@@ -158,7 +158,7 @@ std::string placeText(const MapMark& mark) {
   return mark.moments ? "" : numbersText({mark.x, mark.y});
 }
 
-std::vector<double> momentsFrom(const ValueReader& value) {
+std::vector<double> inertiaFrom(const ValueReader& value) {
   return numbersFrom(value, 3, kExpectedMoments, kPositive);
 }
 
@@ -166,7 +166,7 @@ Keys<MapMark> markKeys() {
   static constexpr std::array keys{
       keyOf<MapMark, readPlace, placeText>("at", listForm(kExpectedPoint, kNumberForm, 2),
                                            {.byDefault = "none"}),
-      key<&MapMark::moments, momentsFrom, numbersText>("moments",
+      key<&MapMark::moments, inertiaFrom, numbersText>("moments",
                                                        listForm(kExpectedMoments, kMomentForm, 3)),
       text<&MapMark::label>("label", kLongestLabel, {.byDefault = "required"}),
   };

@@ -77,7 +77,7 @@ std::string backgroundText(const LookSettings& look) {
 
 // Accepts only powers of two, by which times divide without rounding: blurred or not, the motion is
 // the same.
-int momentsFrom(const ValueReader& value) {
+int blurMomentsFrom(const ValueReader& value) {
   const int moments = value.integer(1, kMaxMoments);
   if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
   return moments;
@@ -248,7 +248,7 @@ Keys<LookSettings> lookKeys() {
               {.comment = "1, or 2 to draw with twice as many pixels across and down",
                .meaning = "2 draws twice as many pixels across and down, in four times the time",
                .allowed = "1 or 2"}),
-          own<&LookSettings::motionBlur, momentsFrom, integerText>(
+          own<&LookSettings::motionBlur, blurMomentsFrom, integerText>(
               "motion_blur", kNumberKind, kBlurMoments,
               {.comment = "moments averaged in a picture: 1, 2, 4, 8 or 16",
                .meaning = "number of moments averaged in a picture"}),

@@ -17,7 +17,7 @@ constexpr int kAtOnce = 16, kOverrun = 2 * kAtOnce;
 #define ROTATEBOOK_INLINE [[gnu::target("avx2"), gnu::always_inline]] inline
 
 using Ints [[gnu::vector_size(32)]] = std::int32_t;
-using Words [[gnu::vector_size(32)]] = std::int16_t;
+using Shorts [[gnu::vector_size(32)]] = std::int16_t;
 using FullBytes [[gnu::vector_size(32)]] = char;
 using HalfBytes [[gnu::vector_size(16)]] = char;
 
@@ -35,34 +35,34 @@ struct Weights {
 constexpr Weights kY{5983, 20127, 2032}, kU{-3298, -11094, 14392}, kV{14392, -13073, -1320};
 
 /// Repeats two words throughout a vector.
-ROTATEBOOK_INLINE Words pairs(std::int16_t even, std::int16_t odd) {
-  return Words{even, odd, even, odd, even, odd, even, odd,
-               even, odd, even, odd, even, odd, even, odd};
+ROTATEBOOK_INLINE Shorts pairs(std::int16_t even, std::int16_t odd) {
+  return Shorts{even, odd, even, odd, even, odd, even, odd,
+                even, odd, even, odd, even, odd, even, odd};
 }
 
 /// Returns for each pair of words the sum of its products with `weights`.
-ROTATEBOOK_INLINE Ints sums(const Words& words, const Words& weights) {
+ROTATEBOOK_INLINE Ints sums(const Shorts& words, const Shorts& weights) {
   return (Ints)__builtin_ia32_pmaddwd256(words, weights);
 }
 
 /// Joins two vectors of numbers that words can hold.
-ROTATEBOOK_INLINE Words packed(const Ints& first, const Ints& second) {
+ROTATEBOOK_INLINE Shorts packed(const Ints& first, const Ints& second) {
   const auto both = (Ints)__builtin_ia32_packssdw256(first, second);
-  return (Words)__builtin_shufflevector(both, both, 0, 1, 4, 5, 2, 3, 6, 7);
+  return (Shorts)__builtin_shufflevector(both, both, 0, 1, 4, 5, 2, 3, 6, 7);
 }
 
 /// Alternates the lower four, or the higher four, of each eight words of both.
-ROTATEBOOK_INLINE Words lows(const Words& one, const Words& other) {
+ROTATEBOOK_INLINE Shorts lows(const Shorts& one, const Shorts& other) {
   return __builtin_shufflevector(one, other, 0, 16, 1, 17, 2, 18, 3, 19, 8, 24, 9, 25, 10, 26, 11,
                                  27);
 }
-ROTATEBOOK_INLINE Words highs(const Words& one, const Words& other) {
+ROTATEBOOK_INLINE Shorts highs(const Shorts& one, const Shorts& other) {
   return __builtin_shufflevector(one, other, 4, 20, 5, 21, 6, 22, 7, 23, 12, 28, 13, 29, 14, 30, 15,
                                  31);
 }
 
 /// Writes the first `count` of 16 numbers from 0 to 255, at most all.
-ROTATEBOOK_INLINE void store(const Words& words, std::uint8_t* to, int count) {
+ROTATEBOOK_INLINE void store(const Shorts& words, std::uint8_t* to, int count) {
   const auto both = (Ints)__builtin_ia32_packuswb256(words, words);
   const auto ordered = (FullBytes)__builtin_shufflevector(both, both, 0, 1, 4, 5, 2, 3, 6, 7);
   const HalfBytes bytes = __builtin_shufflevector(ordered, ordered, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9,
@@ -76,7 +76,7 @@ ROTATEBOOK_INLINE void store(const Words& words, std::uint8_t* to, int count) {
 
 /// 16 pixels, red and blue apart from green.
 struct Pixels {
-  std::array<Words, 2> redBlue, green;
+  std::array<Shorts, 2> redBlue, green;
 };
 
 ROTATEBOOK_INLINE Pixels pixelsAt(const std::uint8_t* rgba) {
@@ -85,16 +85,17 @@ ROTATEBOOK_INLINE Pixels pixelsAt(const std::uint8_t* rgba) {
   for (std::size_t i = 0; i < 2; ++i) {
     Ints eight;
     take(rgba + sizeof(Ints) * i, eight);
-    pixels.redBlue[i] = (Words)(eight & kEvenBytes);
-    pixels.green[i] = (Words)(eight >> 8 & kEvenBytes);
+    pixels.redBlue[i] = (Shorts)(eight & kEvenBytes);
+    pixels.green[i] = (Shorts)(eight >> 8 & kEvenBytes);
   }
   return pixels;
 }
 
 /// Returns the weighted sums, plus `added`, shifted by kShift bits.
 template <int kShift>
-ROTATEBOOK_INLINE Words weighted(const Pixels& pixels, const Weights& weights, std::int32_t added) {
-  const Words redBlue = pairs(weights.red, weights.blue), green = pairs(weights.green, 0);
+ROTATEBOOK_INLINE Shorts weighted(const Pixels& pixels, const Weights& weights,
+                                  std::int32_t added) {
+  const Shorts redBlue = pairs(weights.red, weights.blue), green = pairs(weights.green, 0);
   std::array<Ints, 2> all;
   for (std::size_t i = 0; i < 2; ++i) {
     all[i] = (sums(pixels.redBlue[i], redBlue) + sums(pixels.green[i], green) + added) >> kShift;
@@ -111,8 +112,8 @@ ROTATEBOOK_INLINE Words weighted(const Pixels& pixels, const Weights& weights, s
     const int x = std::min(next, width - kAtOnce);  // The last ones may be converted twice.
     const Pixels pixels = pixelsAt(rgba + 4 * static_cast<std::ptrdiff_t>(x));
     store(weighted<15>(pixels, kY, 16 * kOne + kHalf + kNearest), luma + x, kAtOnce);
-    const Words blue = weighted<9>(pixels, kU, 128 * kOne + kHalf);
-    const Words red = weighted<9>(pixels, kV, 128 * kOne + kHalf);
+    const Shorts blue = weighted<9>(pixels, kU, 128 * kOne + kHalf);
+    const Shorts red = weighted<9>(pixels, kV, 128 * kOne + kHalf);
     std::memcpy(u + x, &blue, sizeof blue);
     std::memcpy(v + x, &red, sizeof red);
   }
@@ -120,16 +121,16 @@ ROTATEBOOK_INLINE Words weighted(const Pixels& pixels, const Weights& weights, s
 
 /// Mixes `count` colours, of 7 more bits, each of its pixel and half of both beside it.
 [[gnu::target("avx2")]] void halve(const std::int16_t* colours, int count, std::int16_t* halved) {
-  const Words ones = pairs(1, 1);
+  const Shorts ones = pairs(1, 1);
   for (int x = 0; x < count; x += kAtOnce) {
     std::array<Ints, 2> mixed;
     for (int i = 0; i < 2; ++i) {
-      Words right, left;
+      Shorts right, left;
       take(colours + 2 * x + kAtOnce * i, right);
       take(colours + 2 * x + kAtOnce * i - 1, left);
       mixed[static_cast<std::size_t>(i)] = (sums(right, ones) + sums(left, ones)) >> 1;
     }
-    const Words both = packed(mixed[0], mixed[1]);
+    const Shorts both = packed(mixed[0], mixed[1]);
     std::memcpy(halved + x, &both, sizeof both);
   }
 }
@@ -138,16 +139,16 @@ ROTATEBOOK_INLINE Words weighted(const Pixels& pixels, const Weights& weights, s
 [[gnu::target("avx2")]] void mix(const std::array<const std::int16_t*, 4>& rows, int count,
                                  std::uint8_t* colours) {
   constexpr std::int32_t kNearest = 1 << 9;
-  const Words outer = pairs(1, 3), inner = pairs(3, 1);
+  const Shorts outer = pairs(1, 3), inner = pairs(3, 1);
   for (int x = 0; x < count; x += kAtOnce) {
-    Words a, b, c, d;
+    Shorts a, b, c, d;
     take(rows[0] + x, a);
     take(rows[1] + x, b);
     take(rows[2] + x, c);
     take(rows[3] + x, d);
     const Ints lower = sums(lows(a, b), outer) + sums(lows(c, d), inner) + kNearest;
     const Ints higher = sums(highs(a, b), outer) + sums(highs(c, d), inner) + kNearest;
-    const auto mixed = (Words)__builtin_ia32_packssdw256(lower >> 10, higher >> 10);
+    const auto mixed = (Shorts)__builtin_ia32_packssdw256(lower >> 10, higher >> 10);
     store(mixed, colours + x, count - x);
   }
 }

@@ -29,11 +29,13 @@ MapFacts factsOf(const MapResult& result, const Panels& panels) {
   for (const std::size_t panel : panels) {
     for (const double value : result.values[panel]) {
       ++facts.runs;
-      const Outcome outcome = outcomeOf(value);
-      facts.never += outcome == Outcome::Never;
-      facts.diverged += outcome == Outcome::Diverged;
-      facts.refused += outcome == Outcome::Refused;
-      if (outcome != Outcome::Value) continue;
+      if (!std::isfinite(value)) {
+        const Outcome outcome = outcomeOf(value);
+        facts.never += outcome == Outcome::Never;
+        facts.diverged += outcome == Outcome::Diverged;
+        facts.refused += outcome == Outcome::Refused;
+        continue;
+      }
       sum += value;
       // Written so that the first value replaces NaN.
       if (!(facts.smallest <= value)) facts.smallest = value;

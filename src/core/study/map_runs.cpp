@@ -24,7 +24,7 @@ using scene::MapSettings;
 // from row to row enough have the same.
 constexpr int kTileSide = 32;
 // Of a panel's tiles, each of which is a file for a time.
-constexpr double kMaxTiles = 4096;
+constexpr double kMaxTiles = 1024;
 
 /// A panel's motion and the map's way of giving it other values.
 struct PanelRuns {
@@ -56,13 +56,17 @@ double durationOf(const scene::Scene& scene) {
   return map.duration.value_or(clip);
 }
 
-/// Returns whether all motions along one of the axes are one and the same.
+/// Returns whether all motions along one of the axes are one and the same: those at its ends and
+/// between, where an angle may be a turn.
 bool isIdle(const scene::Axis& axis, const PanelRuns& panel, const MapSettings& map) {
   if (axis.kind == scene::AxisKind::Time) return true;
-  const bool isX = &axis == &map.x;
-  const auto first = panel.at(map.x.from, map.y.from);
-  const auto last = isX ? panel.at(map.x.to, map.y.from) : panel.at(map.x.from, map.y.to);
-  return first && last && first->motion == last->motion;
+  const auto at = [&](double value) {
+    return &axis == &map.x ? panel.at(value, map.y.from) : panel.at(map.x.from, value);
+  };
+  const auto first = at(axis.from), last = at(axis.to);
+  const auto between = at(scene::numberWithin(axis.from, axis.to, 0.382, axis.scale));
+  if (!first || !between || !last) return false;
+  return first->motion == between->motion && first->motion == last->motion;
 }
 
 /// Returns the side of the tiles of a panel.
@@ -87,6 +91,7 @@ struct MapRuns::Parts {
 
   std::vector<double> overTime(const MapTile& tile, Stop stop) const;
   std::vector<double> pointByPoint(const MapTile& tile, Stop stop) const;
+  std::vector<double> ofPoints(const MapTile& points, Stop stop) const;
   std::vector<double> lineOverTime(const PanelRuns& panel, double other, Stop stop) const;
 };
 
@@ -125,6 +130,20 @@ std::vector<double> MapRuns::Parts::overTime(const MapTile& tile, Stop stop) con
 }
 
 std::vector<double> MapRuns::Parts::pointByPoint(const MapTile& tile, Stop stop) const {
+  const PanelRuns& panel = panels[tile.panel];
+  MapTile points = tile;
+  if (isIdle(map.x, panel, map)) points.width = 1;
+  if (isIdle(map.y, panel, map)) points.height = 1;
+  const std::vector<double> values = ofPoints(points, stop);
+  std::vector<double> all;
+  for (int y = 0; y < tile.height; ++y) {
+    const auto row = values.begin() + static_cast<std::ptrdiff_t>(y % points.height) * points.width;
+    for (int x = 0; x < tile.width; ++x) all.push_back(row[x % points.width]);
+  }
+  return all;
+}
+
+std::vector<double> MapRuns::Parts::ofPoints(const MapTile& tile, Stop stop) const {
   const PanelRuns& panel = panels[tile.panel];
   const auto width = static_cast<std::size_t>(tile.width);
   const std::vector<double> across = valuesAlong(map.x, tile.left, tile.width, map.width);

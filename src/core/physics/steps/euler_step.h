@@ -13,20 +13,19 @@ struct EulerStep {
 
   Vector3<Number> halfTurn;  ///< (h/2) I^-1 [1/(kg m^2/s)]
 
+  void operator()(StepState<Number>& state) const { turn(state.attitude, turnedToBody(state)); }
+
   // With q = (s, u) and v = (h/2) I^-1 A^T L, the body's half turn,
-  //   A^T L = L - s t + u x t,  t = 2 u x L,  and
-  //   (0, A v) q = (-u.v, s v + (2 |q|^2 - 1) u x v),
+  //   (0, A v) q = (-u.v, s v + (2 |q|^2 - 1) u x v)
   // for every q. It takes half as many operations as the matrix, in a chain half as long.
-  void operator()(StepState<Number>& state) const {
-    const Number s = state.attitude.w;
-    const Vector3<Number> u = state.attitude.vec();
-    const Vector3<Number> t = cross(u, Number(2) * state.momentum);
-    const Vector3<Number> inBody = (state.momentum - s * t) + cross(u, t);
+  void turn(Quaternion<Number>& attitude, const Vector3<Number>& inBody) const {
+    const Number s = attitude.w;
+    const Vector3<Number> u = attitude.vec();
     const Vector3<Number> v = componentProduct(halfTurn, inBody);
     const Vector3<Number> stretched =
-        exactProductPlus(Number(2), squaredNorm(state.attitude), Number(-1)) * u;
+        exactProductPlus(Number(2), squaredNorm(attitude), Number(-1)) * u;
     const Vector3<Number> next = (u + s * v) + cross(stretched, v);
-    state.attitude = {s - dot(u, v), next.x, next.y, next.z};
+    attitude = {s - dot(u, v), next.x, next.y, next.z};
   }
 };
 

@@ -21,6 +21,18 @@ struct MatrixState {
   Vector3<Number> momentum;  ///< In world axes. [kg m^2/s]
 };
 
+/// Returns A^T L of the momentum L in world axes: with q = (s, u), L - s t + u x t, t = 2 u x L.
+template <typename Number>
+Vector3<Number> turnedToBody(const StepState<Number>& state) {
+  const Vector3<Number> u = state.attitude.vec();
+  const Vector3<Number> t = cross(u, Number(2) * state.momentum);
+  return (state.momentum - state.attitude.w * t) + cross(u, t);
+}
+template <typename Number>
+Vector3<Number> turnedToBody(const MatrixState<Number>& state) {
+  return transposedProduct(state.attitude, state.momentum);
+}
+
 /// Undoes drift: takes the nearest quaternion of unit norm.
 template <typename Number>
 [[gnu::always_inline]] inline void normalize(Quaternion<Number>& attitude) {

@@ -11,9 +11,10 @@ inline constexpr int kBlockSize = 32;
 
 using Row = double[kBlockSize];  ///< A number of each motion.
 
-/// The steps that there are for several bodies at once.
-enum class StepKind { Euler, RungeKutta4, Midpoint, MoserVeselov, EulerMatrix };
-inline constexpr int kStepKinds = 5;
+/// The steps that there are for several bodies at once: those of physics::AnyStep, and Euler's of a
+/// momentum in the plane of x and z.
+enum class StepKind { Euler, RungeKutta4, Midpoint, MoserVeselov, EulerMatrix, FlatEuler };
+inline constexpr int kStepKinds = 6;
 
 inline constexpr int kStepNumbers = 10;   ///< At most, in a step's type.
 inline constexpr int kStateNumbers = 12;  ///< At most, in a step's state.
@@ -34,6 +35,7 @@ struct WatchRows {
   Row halfTurns;    ///< A whole number.
   Row isCounted;    ///< 1 if half-turns are counted, else 0.
   Row firstTurn;    ///< Frame of the look that found the first half-turn; 0 so far if none has.
+  Row lastEnergy;   ///< h/2 L.I^-1 L above which Euler's steps, normalised, turn over no more.
 };
 
 /// A block on its way. A motion needs care after a look at which its numbers alone don't decide

@@ -16,6 +16,9 @@ inline Lanes<8> fusedRest(Lanes<8> a, Lanes<8> b, Lanes<8> c) {
   return c;
 }
 
+inline Lanes<8> negativeProduct(Lanes<8> a, Lanes<8> b) {
+  return fusedRest(a, b, Lanes<8>(0));  // Rounded once either way, unless it is below 1e-307.
+}
 inline Lanes<8> exactProductPlus(Lanes<8> a, Lanes<8> b, Lanes<8> c) {
   return fusedSum(a, b, c);
 }

@@ -8,6 +8,7 @@
 #include "physics/steps/polar_factor.h"
 #include "physics/steps/runge_kutta_step.h"
 #include "study/lanes/block.h"
+#include "study/lanes/flat_euler_step.h"
 #include "study/lanes/lanes.h"
 #include "study/lanes/pair.h"
 
@@ -116,31 +117,36 @@ template <typename Number>
   physics::takePolarFactor(attitude, FactoredOneByOne<Number>{});
 }
 
+/// The bounds of a look: a momentum's square along the spun axis where the tilt is 60 or 120
+/// degrees, and how far from it the square has to be if its side is to be certain.
+template <typename Number>
+struct Bounds {
+  Number quarter, doubt;
+
+  Bounds() = default;
+  explicit Bounds(const Vector3<Number>& momentum) {
+    const Number square = squaredNorm(momentum);
+    const auto isInRange = both(Number(1e-280) < square, square < Number(1e250));
+    quarter = Number(0.25) * square;
+    doubt = chosen(isInRange, Number(1e-6) * square, Number(__builtin_inf()));
+  }
+};
+
 /// Numbers that are watched at each look: WatchRows.
 template <typename Number>
 struct Watch {
   Vector3<Number> spunAxis;
-  Number side, halfTurns, isCounted, firstTurn;
+  Number side, halfTurns, isCounted, firstTurn, lastEnergy;
 
-  /// Returns for which bodies it is certain on which side of 60 and 120 degrees the tilt is, where
-  /// half of the momentum is along the spun axis. Takes its part along it, with its sign, and all
-  /// of it, squared.
-  auto isCertain(Number strain, Number signedSquare, Number square) const {
-    const auto isUnit = strain < Number(1e-8);
-    const auto isInRange = both(Number(1e-280) < square, square < Number(1e250));
-    const Number distance = magnitude(magnitude(signedSquare) - Number(0.25) * square);
-    return both(both(isUnit, isInRange), Number(1e-6) * square < distance);
-  }
-  /// Returns the side of the tilt at this look.
-  Number nextSide(Number signedSquare, Number square) const {
-    const Number quarter = Number(0.25) * square;
-    return chosen(quarter < signedSquare, Number(1),
-                  chosen(signedSquare < Number(0) - quarter, Number(-1), side));
+  /// Returns the side of the tilt at a look. Takes the square of the momentum's part along the spun
+  /// axis, with the part's sign.
+  Number nextSide(Number signedSquare, const Bounds<Number>& bounds) const {
+    return chosen(bounds.quarter < signedSquare, Number(1),
+                  chosen(signedSquare < Number(0) - bounds.quarter, Number(-1), side));
   }
   void countTo(Number next, Number frame) {
     const Number turns = halfTurns + chosen(side * next < Number(0), isCounted, Number(0));
-    firstTurn =
-        chosen(halfTurns < chosen(halfTurns == Number(0), turns, Number(0)), frame, firstTurn);
+    firstTurn = chosen(halfTurns + turns == Number(1), frame, firstTurn);
     halfTurns = turns;
     side = next;
   }
@@ -170,99 +176,160 @@ Number strainOf(const Matrix3<Number>& a) {
   return largestSize(lengths) + largestSize(skews) + magnitude(growth);
 }
 
-/// Returns A^T L of the momentum L in world axes.
-template <typename Number>
-Vector3<Number> turnedToBody(const MatrixState<Number>& state) {
-  return transposedProduct(state.attitude, state.momentum);
-}
-template <typename Number>
-Vector3<Number> turnedToBody(const StepState<Number>& state) {
-  const Vector3<Number> u = state.attitude.vec();
-  const Vector3<Number> t = cross(u, Number(2) * state.momentum);
-  return (state.momentum - state.attitude.w * t) + cross(u, t);
+/// Returns the momentum in body axes.
+template <typename Step>
+[[gnu::always_inline]] inline auto momentumInBody(const typename Step::State& state) {
+  if constexpr (Step::kMomentumInBody) {
+    return state.momentum;
+  } else if constexpr (requires { Step::inBody(state); }) {
+    return Step::inBody(state);
+  } else {
+    return turnedToBody(state);
+  }
 }
 
 /// As many motions as a number holds.
-template <typename OfStep, typename Number>
+template <typename OfStep, typename OfNumber>
 struct Group {
-  OfStep step;
-  typename OfStep::State state;
+  using Step = OfStep;
+  using Number = OfNumber;
+
+  Step step;
+  typename Step::State state;
   Watch<Number> watch;
+  Bounds<Number> bounds;  ///< Of the momentum, which stays unless it is the body's.
 };
 
-template <typename Number, typename Group>
+template <typename Group>
 void load(const Block& block, int first, Group& group) {
+  using Number = typename Group::Number;
   load<Number>(block.step, first, group.step);
   load<Number>(block.state, first, group.state);
   load<Number>(reinterpret_cast<const Row*>(&block.watch), first, group.watch);
+  group.bounds = Bounds<Number>(group.state.momentum);
 }
-template <typename Number, typename Group>
+template <typename Group>
 void store(const Group& group, Block& block, int first) {
+  using Number = typename Group::Number;
   store<Number>(group.state, block.state, first);
   store<Number>(group.watch, reinterpret_cast<Row*>(&block.watch), first);
 }
 
-/// Makes steps, of which `left` are left to the next normalisation, or each of which ends with one.
-template <typename Number, bool kNormalizesEach, int kGroups, typename Group>
-[[gnu::always_inline]] inline void makeSteps(Group (&groups)[kGroups], std::int64_t count,
-                                             const Course& course, std::int64_t& left) {
-  for (std::int64_t made = 0; made < count; ++made) {
-    const bool isDue = kNormalizesEach || (course.normalizeEvery != 0 && --left <= 0);
-    if (isDue) left = course.normalizeEvery;
+template <typename Number, int kGroups, typename Group>
+[[gnu::always_inline]] inline void makeStep(Group (&groups)[kGroups], bool isDue) {
 #pragma GCC unroll 4
-    for (Group& group : groups) {
-      take<Number>(group.step, group.state);
-      if (isDue) undoDrift(group.state.attitude);
-    }
+  for (Group& group : groups) {
+    take<Number>(group.step, group.state);
+    if (isDue) undoDrift(group.state.attitude);
   }
 }
 
-/// Looks at a state after so many frames. Returns for which bodies nothing needs care.
-template <typename Step, typename Number>
-[[gnu::always_inline]] inline auto watched(const typename Step::State& state, std::int64_t frames,
-                                           Watch<Number>& watch) {
-  Vector3<Number> inBody = state.momentum;
-  if constexpr (!Step::kMomentumInBody) inBody = turnedToBody(state);
-  const Number square = squaredNorm(state.momentum);
-  const Number along = dot(watch.spunAxis, inBody);
+/// Makes steps, of which `left` are left to the next normalisation.
+template <typename Number, int kGroups, typename Group>
+[[gnu::always_inline]] inline void makeSteps(Group (&groups)[kGroups], std::int64_t count,
+                                             const Course& course, std::int64_t& left) {
+  for (std::int64_t made = 0; made < count; ++made) {
+    const bool isDue = course.normalizeEvery != 0 && --left <= 0;
+    if (isDue) left = course.normalizeEvery;
+    makeStep<Number>(groups, isDue);
+  }
+}
+
+/// Makes steps, each of which ends with a normalisation; the first by itself, as it has much in
+/// common with a look before it.
+template <typename Number, int kGroups, typename Group>
+[[gnu::always_inline]] inline void makeNormalizedSteps(Group (&groups)[kGroups],
+                                                       std::int64_t count) {
+  if (count > 0) makeStep<Number>(groups, true);
+  for (std::int64_t made = 1; made < count; ++made) makeStep<Number>(groups, true);
+}
+
+/// Looks at the motions after so many frames. Returns for which bodies nothing needs care.
+template <typename Group>
+[[gnu::always_inline]] inline auto watched(Group& group, std::int64_t frames) {
+  using Number = typename Group::Number;
+  using Step = typename Group::Step;
+  if constexpr (Step::kMomentumInBody) group.bounds = Bounds<Number>(group.state.momentum);
+  const Number along = dot(group.watch.spunAxis, momentumInBody<Step>(group.state));
   const Number signedSquare = along * magnitude(along);
-  const auto isQuiet = watch.isCertain(strainOf(state.attitude), signedSquare, square);
-  const Number next = watch.nextSide(signedSquare, square);
-  watch.countTo(isAll(isQuiet) ? next : chosen(isQuiet, next, watch.side),
-                Number(static_cast<double>(frames)));
+  const Number distance = magnitude(magnitude(signedSquare) - group.bounds.quarter);
+  const auto isUnit = strainOf(group.state.attitude) < Number(1e-8);
+  const auto isQuiet = both(isUnit, group.bounds.doubt < distance);
+  const Number next = group.watch.nextSide(signedSquare, group.bounds);
+  group.watch.countTo(isAll(isQuiet) ? next : chosen(isQuiet, next, group.watch.side),
+                      Number(static_cast<double>(frames)));
   return isQuiet;
+}
+
+/// Looks at the motions of groups of a block. Returns whether one needs care.
+template <int kGroups, typename Group>
+[[gnu::always_inline]] inline bool needsCare(Group (&groups)[kGroups], std::int64_t frames,
+                                             bool* needing) {
+  bool care = false;
+#pragma GCC unroll 4
+  for (int i = 0; i < kGroups; ++i) {
+    const auto isQuiet = watched(groups[i], frames);
+    if (isAll(isQuiet)) [[likely]]
+      continue;
+    care = true;
+    storeMask(isNot(isQuiet), needing + i * kLanesOf<typename Group::Number>);
+  }
+  return care;
+}
+
+/// Returns whether no body will turn over any more. Euler's steps, normalised, turn the momentum in
+/// the body about the angular velocity, which adds d.I^-1 d >= 0 to the energy, d being its change.
+template <int kGroups, typename Group>
+[[gnu::always_inline]] inline bool areSettled(const Group (&groups)[kGroups]) {
+  bool all = true;
+  for (const Group& group : groups) {
+    const auto inBody = momentumInBody<typename Group::Step>(group.state);
+    const auto energy = dot(componentProduct(group.step.halfTurn, inBody), inBody);
+    all = all && isAll(group.watch.lastEnergy < energy);
+  }
+  return all;
 }
 
 /// Runs the motions of some groups of a block, step by step in turns: one group's step gives the
 /// processor something to do while it waits for the results of another's.
-template <template <typename> typename Step, typename Number, int kGroups>
+template <template <typename> typename Step, typename Number, int kGroups, bool kNormalizesEach>
 bool runGroups(Block& block, int first, const Course& course) {
   constexpr int kLanes = kLanesOf<Number>;
   Group<Step<Number>, Number> groups[kGroups];
-  for (int i = 0; i < kGroups; ++i) load<Number>(block, first + i * kLanes, groups[i]);
+  for (int i = 0; i < kGroups; ++i) load(block, first + i * kLanes, groups[i]);
 
   std::int64_t frames = block.frames[first];
   std::int64_t left = course.normalizeEvery;
   if (left > 1) left -= frames * course.stepsPerFrame % left;
-  bool care = false;
-  while (frames < course.frames && !care) {
+  const auto framesToLook = [&] {
     const std::int64_t rest = course.frames - frames;
-    const std::int64_t made = rest < course.framesPerLook ? rest : course.framesPerLook;
-    const std::int64_t steps = made * course.stepsPerFrame;
-    course.normalizeEvery == 1 ? makeSteps<Number, true>(groups, steps, course, left)
-                               : makeSteps<Number, false>(groups, steps, course, left);
-    frames += made;
-    if (!course.isWatched) continue;
-    for (int i = 0; i < kGroups; ++i) {
-      const auto isQuiet = watched<Step<Number>>(groups[i].state, frames, groups[i].watch);
-      if (isAll(isQuiet)) [[likely]]
-        continue;
-      care = true;
-      storeMask(isNot(isQuiet), block.needsCare + first + i * kLanes);
+    return rest < course.framesPerLook ? rest : course.framesPerLook;
+  };
+  const auto make = [&](std::int64_t made) __attribute__((always_inline)) {
+    if constexpr (kNormalizesEach) {
+      makeNormalizedSteps<Number>(groups, made * course.stepsPerFrame);
+    } else {
+      makeSteps<Number>(groups, made * course.stepsPerFrame, course, left);
     }
+    frames += made;
+  };
+  constexpr bool kSettles = kNormalizesEach && requires {
+    groups[0].step.halfTurn;
+  };
+  constexpr int kLooks = 8;  // from one question whether all are settled to the next
+  bool care = false, goesOn = frames < course.frames;
+  if (goesOn) make(framesToLook());
+  for (int looks = 1; goesOn; ++looks) {
+    if (course.isWatched) care = needsCare(groups, frames, block.needsCare + first);
+    if constexpr (kSettles) {
+      if (course.isWatched && !care && looks % kLooks == 0 && areSettled(groups))
+        frames = course.frames;
+    }
+    goesOn = !care && frames < course.frames;
+    if (goesOn) make(framesToLook());
   }
 
-  for (int i = 0; i < kGroups; ++i) store<Number>(groups[i], block, first + i * kLanes);
+  for (int i = 0; i < kGroups; ++i) store(groups[i], block, first + i * kLanes);
   for (int i = 0; i < kLanes * kGroups; ++i) block.frames[first + i] = frames;
   return care;
 }
@@ -271,9 +338,11 @@ template <template <typename> typename Step, typename Number, int kGroups>
 bool run(Block& block, const Course& course) {
   constexpr int kLanes = kLanesOf<Number> * kGroups;
   static_assert(kBlockSize % kLanes == 0);
+  const auto runGroupsFrom = course.normalizeEvery == 1 ? &runGroups<Step, Number, kGroups, true>
+                                                        : &runGroups<Step, Number, kGroups, false>;
   bool care = false;
   for (int first = 0; first < kBlockSize; first += kLanes) {
-    if (runGroups<Step, Number, kGroups>(block, first, course)) care = true;
+    if (runGroupsFrom(block, first, course)) care = true;
   }
   return care;
 }
@@ -284,7 +353,8 @@ template <typename EulerNumber, int kEulerGroups, typename Number>
 constexpr Kernels kernels() {
   return {{&run<physics::EulerStep, EulerNumber, kEulerGroups>,
            &run<physics::RungeKutta4Step, Number, 1>, &run<physics::MidpointStep, Number, 1>,
-           &run<physics::MoserVeselovStep, Number, 1>, &run<physics::EulerMatrixStep, Number, 1>}};
+           &run<physics::MoserVeselovStep, Number, 1>, &run<physics::EulerMatrixStep, Number, 1>,
+           &run<FlatEulerStep, EulerNumber, kEulerGroups>}};
 }
 
 }  // namespace rotatebook::study::lanes

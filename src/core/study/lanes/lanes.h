@@ -121,5 +121,10 @@ template <int kWidth>
 Lanes<kWidth> exactProductPlus(Lanes<kWidth> a, Lanes<kWidth> b, Lanes<kWidth> c) {
   return a * b + c;
 }
+/// Returns 0 - a b.
+template <int kWidth>
+Lanes<kWidth> negativeProduct(Lanes<kWidth> a, Lanes<kWidth> b) {
+  return Lanes<kWidth>(0) - a * b;
+}
 
 }  // namespace rotatebook::study::lanes

@@ -3,6 +3,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <variant>
 
 #include "physics/simulate.h"
@@ -14,7 +16,8 @@ namespace {
 using physics::BodyState;
 using physics::RigidMotion;
 
-static_assert(std::variant_size_v<physics::AnyStep> == kStepKinds);
+static_assert(std::variant_size_v<physics::AnyStep> ==
+              static_cast<std::size_t>(StepKind::FlatEuler));
 
 // Copies a value that is made of doubles into rows.
 template <typename Value>
@@ -44,6 +47,14 @@ bool isOrdinary(double number) {
   return number > 1 / kLarge && number < kLarge;
 }
 
+// Returns whether the momentum in world axes is as FlatEulerStep takes it. Products with it must
+// not vanish.
+bool isFlat(const RigidMotion& motion) {
+  const Eigen::Vector3d momentum = motion.inertia().bodyFromPrincipal * motion.momentum();
+  return std::bit_cast<std::uint64_t>(momentum.y()) == 0 && isOrdinary(std::fabs(momentum.x())) &&
+         isOrdinary(std::fabs(momentum.z()));
+}
+
 }  // namespace
 
 std::optional<Member> Member::of(const physics::MotionSettings& settings) {
@@ -67,7 +78,14 @@ Member::Member(const physics::MotionSettings& settings, const RigidMotion& motio
     : body_(settings.body),
       interval_(settings.simulation.steps().time),
       motion_(motion),
-      spunAxis_(spunAxisOf(settings, motion.inertia())) {}
+      spunAxis_(spunAxisOf(settings, motion.inertia())),
+      isFlat_(isFlat(motion)) {}
+
+std::size_t Member::stepKind() const {
+  const std::size_t kind = motion_.step().index();
+  const bool isEuler = kind == static_cast<std::size_t>(StepKind::Euler);
+  return isEuler && isFlat_ ? static_cast<std::size_t>(StepKind::FlatEuler) : kind;
+}
 
 bool Member::hasOrdinaryNumbers() const {
   const Eigen::Vector3d& moments = motion_.inertia().moments;
@@ -76,11 +94,24 @@ bool Member::hasOrdinaryNumbers() const {
   return isAll;
 }
 
+// Above it less than half of the momentum is along the spun axis k, whatever follows: the energy is
+// at most B_k l^2 + B_max (L^2 - l^2), with l along k. Rounding takes less from it than a
+// thousandth.
+double Member::lastEnergy() const {
+  const auto* step = std::get_if<physics::EulerStep<double>>(&motion_.step());
+  if (step == nullptr) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d halfTurn(step->halfTurn.x, step->halfTurn.y, step->halfTurn.z);
+  const Eigen::Vector3d spun = motion_.inertia().bodyFromPrincipal.transpose() * spunAxis_;
+  const double bound = spun.cwiseAbs2().dot(halfTurn) / 4 + 0.75 * halfTurn.maxCoeff();
+  return 1.001 * bound * motion_.momentum().squaredNorm();
+}
+
 void Member::fill(Block& block, int lane) const {
   std::visit([&](const auto& step) { scatter(step, block.step, lane); }, motion_.step());
   scatter(motion_.start(), block.state, lane);
   const Eigen::Matrix3d principalFromBody = motion_.inertia().bodyFromPrincipal.transpose();
   scatterVector(principalFromBody * spunAxis_, block.watch.spunAxis, lane);
+  block.watch.lastEnergy[lane] = lastEnergy();
   block.hasEnded[lane] = false;
   block.frames[lane] = 0;
 }
@@ -144,6 +175,7 @@ void Member::fillAtRest(Block& block, int lane) const {
   scatter(motion_.rest(), block.state, lane);
   scatterVector({1, 0, 0}, block.watch.spunAxis, lane);  // The momentum's, which stays.
   block.watch.side[lane] = 1;
+  block.watch.lastEnergy[lane] = -1;
   block.hasEnded[lane] = true;
 }
 

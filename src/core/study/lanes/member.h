@@ -25,7 +25,8 @@ class Member {
   /// Returns the motion with other steps, as RigidMotion::withStepsOf() does.
   std::optional<Member> withStepsOf(const physics::MotionSettings& settings) const;
 
-  std::size_t stepKind() const { return motion_.step().index(); }
+  /// Returns the number of its StepKind.
+  std::size_t stepKind() const;
 
   /// Fills a lane with the state at t = 0.
   void fill(Block& block, int lane) const;
@@ -44,6 +45,7 @@ class Member {
   Member(const physics::MotionSettings& settings, const physics::RigidMotion& motion);
 
   bool hasOrdinaryNumbers() const;
+  double lastEnergy() const;
   double timeOf(double frame) const { return frame * interval_; }
   void count(Block& block, int lane, const physics::BodyState& state) const;
 
@@ -51,6 +53,7 @@ class Member {
   double interval_;  // a frame's [s]
   physics::RigidMotion motion_;
   Eigen::Vector3d spunAxis_;  // in body axes
+  bool isFlat_;               // as FlatEulerStep takes it
   Outcome outcome_;
 };
 

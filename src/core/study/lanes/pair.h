@@ -100,6 +100,10 @@ Pair<Half> exactProductPlus(Pair<Half> a, Pair<Half> b, Pair<Half> c) {
           exactProductPlus(a.second, b.second, c.second)};
 }
 template <typename Half>
+Pair<Half> negativeProduct(Pair<Half> a, Pair<Half> b) {
+  return {negativeProduct(a.first, b.first), negativeProduct(a.second, b.second)};
+}
+template <typename Half>
 requires requires(Half half) {
   inverseOfRoot(half, half);
 }

@@ -170,7 +170,8 @@ int runMapTask(MapTask& task, const pipeline::MapOptions& options, std::ostream&
     return kDone;
   }
   reportResult(task, made.result, runs, out);
-  task.written = pipeline::writeMap(task.scene, runs, made.result, task.files);
+  task.written =
+      pipeline::writeMap(task.scene, runs, made.result, task.files, options.execution.threads);
   reportWritten(task, out);
   return statusOf(std::ranges::all_of(task.expected, &study::ExpectedOfMap::isMet));
 }

@@ -1,6 +1,8 @@
 #include "pipeline/make_map.h"
 
+#include <array>
 #include <atomic>
+#include <functional>
 #include <mutex>
 
 #include "base/checksum.h"
@@ -16,6 +18,7 @@
 #include "store/study_files.h"
 #include "study/map_files.h"
 #include "system/atomic_file.h"
+#include "system/parallel_runs.h"
 #include "system/program_mark.h"
 #include "system/read_file.h"
 
@@ -56,6 +59,17 @@ std::vector<std::size_t> missingTiles(const std::vector<MapTile>& tiles, store::
 
 std::string tilesText(std::size_t count) {
   return countText(static_cast<std::int64_t>(count), "tile");
+}
+
+/// Writes the arrays. Returns the text about them.
+std::string writeValues(const scene::Scene& scene, const study::MapRuns& runs,
+                        const MapResult& result, const store::MapFiles& files, bool isSmall) {
+  const std::string array = npyOf(result, *scene.map);
+  system::writeFileAtomically(files.npy, array);
+  if (isSmall) system::writeFileAtomically(files.csv, mapCsv(result, scene));
+  const study::MapChecksums sums{store::mapFingerprint(scene), store::sceneChecksum(scene),
+                                 checksumOf(array)};
+  return jsonLine(mapJson(result, scene, runs, sums));
 }
 
 }  // namespace
@@ -110,26 +124,26 @@ MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const sto
 }
 
 std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRuns& runs,
-                                  const MapResult& result, const store::MapFiles& files) {
-  const std::string array = npyOf(result, *scene.map);
-  const Json json =
-      mapJson(result, scene, runs,
-              {store::mapFingerprint(scene), store::sceneChecksum(scene), checksumOf(array)});
+                                  const MapResult& result, const store::MapFiles& files,
+                                  int threads) {
   std::vector<std::string> written;
   for (const fs::path& file : files.plots) written.push_back(file.string());
   written.insert(written.end(), {files.plain.string(), files.npy.string(), files.json.string()});
-  store::removeFiles(allOf(files));
-  system::writeFileAtomically(files.npy, array);
   const bool isSmall =
       static_cast<std::size_t>(scene.map->runs()) * result.values.size() <= study::kMaxMapRows;
-  if (isSmall) {
-    system::writeFileAtomically(files.csv, mapCsv(result, scene));
-    written.push_back(files.csv.string());
-  }
-  image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
-  for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
-    system::writeMarked(plotted.path, plotted.bytes);
-  system::writeFileAtomically(files.json, jsonLine(json));
+  if (isSmall) written.push_back(files.csv.string());
+  store::removeFiles(allOf(files));
+  std::string json;
+  const std::array<std::function<void()>, 3> parts{
+      [&] {
+        for (const plot::PlotFile& plotted : plot::mapPlot(result, scene, files.plots))
+          system::writeMarked(plotted.path, plotted.bytes);
+      },
+      [&] { json = writeValues(scene, runs, result, files, isSmall); },
+      [&] { image::writePng(files.plain, plot::plainMap(result, *scene.map).view()); }};
+  constexpr std::array<std::size_t, parts.size()> kAll{0, 1, 2};
+  system::runParallel(kAll, [&](std::size_t i) { parts.at(i)(); }, {threads});
+  system::writeFileAtomically(files.json, json);
   store::MapTiles(files.tiles, "").remove();
   return written;
 }

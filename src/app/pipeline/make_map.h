@@ -32,8 +32,9 @@ MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const sto
                 const MapOptions& options);
 
 /// Writes the pictures, the values and their axes, and removes the tiles. Returns the files that
-/// were written. Throws MachineError.
+/// were written. Takes so many threads; 0 for one per core. Throws MachineError.
 std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRuns& runs,
-                                  const study::MapResult& result, const store::MapFiles& files);
+                                  const study::MapResult& result, const store::MapFiles& files,
+                                  int threads = 0);
 
 }  // namespace rotatebook::pipeline

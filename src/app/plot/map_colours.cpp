@@ -102,9 +102,12 @@ image::Image mapPixels(const std::vector<double>& values, const scene::MapSettin
   for (int y = 0; y < picture.height(); ++y) {
     const auto row = static_cast<std::size_t>(picture.height() - 1 - y) *
                      static_cast<std::size_t>(stride) * static_cast<std::size_t>(map.width);
+    double coloured = values[row];
+    Rgb colour = colouring.of(coloured);
     for (int x = 0; x < picture.width(); ++x) {
       const double value = values[row + static_cast<std::size_t>(x * stride)];
-      putColour(colouring.of(value), picture.row(y) + 3 * static_cast<std::ptrdiff_t>(x));
+      if (value != coloured) colour = colouring.of(coloured = value);  // Many neighbours are equal.
+      putColour(colour, picture.row(y) + 3 * static_cast<std::ptrdiff_t>(x));
     }
   }
   return picture;

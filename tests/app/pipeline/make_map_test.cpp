@@ -58,7 +58,7 @@ class MakeMap : public ::testing::Test {
                                                 const MapOptions& options) const {
     const MadeMap made = make(scene, options);
     EXPECT_TRUE(made.isWhole);
-    writeMap(scene, study::MapRuns(scene), made.result, files());
+    writeMap(scene, study::MapRuns(scene), made.result, files(), options.execution.threads);
     std::map<std::string, std::string> bytes;
     for (const auto& file : store::allOf(files())) {
       bytes[file.filename()] = bytesOf(file);
@@ -144,7 +144,7 @@ TEST_F(MakeMap, GivesTheSameBytesAfterStops) {
 
 // A tile of these runs takes a minute.
 TEST_F(MakeMap, KeepsNoTileThatAStopCutShort) {
-  const scene::Scene scene = mapScene({"map.duration=3e4"});
+  const scene::Scene scene = mapScene({"map.duration=1e4", "simulation.integrator=rk4"});
   std::atomic<bool> stop = false;
   MapOptions options;
   options.execution = {1, &stop};

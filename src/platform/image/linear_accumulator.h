@@ -17,7 +17,7 @@ class LinearAccumulator {
   void add(const std::uint8_t* pixel, std::uint32_t times) {
     const std::uint32_t alpha = times * pixel[3];
     for (std::size_t i = 0; i < 3; ++i) {
-      linear_[i] += std::uint64_t{linearFromSrgb(pixel[i])} * alpha;
+      linear_[i] += linearFromSrgb(pixel[i]) * alpha;
     }
     alpha_ += alpha;
   }
@@ -25,16 +25,13 @@ class LinearAccumulator {
   /// Writes the mean of `count` pixels to `pixel`.
   void mean(std::uint32_t count, std::uint8_t* pixel) const {
     for (std::size_t i = 0; i < 3; ++i) {
-      pixel[i] =
-          alpha_ == 0
-              ? std::uint8_t{0}
-              : srgbFromLinear(static_cast<std::uint32_t>((linear_[i] + alpha_ / 2) / alpha_));
+      pixel[i] = alpha_ == 0 ? std::uint8_t{0} : srgbFromLinear((linear_[i] + alpha_ / 2) / alpha_);
     }
     pixel[3] = static_cast<std::uint8_t>((alpha_ + count / 2) / count);
   }
 
  private:
-  std::array<std::uint64_t, 3> linear_{};
+  std::array<std::uint32_t, 3> linear_{};  // 256 white pixels, rounded up, are below 2^32.
   std::uint32_t alpha_ = 0;
 };
 

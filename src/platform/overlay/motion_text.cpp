@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -92,9 +93,13 @@ class HalfTurns final : public DrawnOverlay {
 
  private:
   double glow(std::int64_t frame) const;
+  /// Returns the text, which mostly is the last frame's.
+  const Layer& textOf(int count, double glowing);
 
   OverlayContext context_;
   Box box_;
+  std::pair<int, double> shown_{-1, 0};  // What text_ shows: the count and its glow.
+  Layer text_;
 };
 
 HalfTurns::HalfTurns(const OverlayContext& context, const Box& area) : context_(context) {
@@ -124,9 +129,16 @@ void HalfTurns::draw(const View& view) {
     view.canvas.roundedBox(box_.grown(growth / 2), growth / 2 + 2,
                            {kVelocityColour, 0.22 * glowing});
   }
-  view.canvas.write(context_.type.draw(countText(context_, view.sample.halfTurns),
-                                       countStyle(context_.scale, glowing), context_.scale.width),
-                    {box_.x, box_.y});
+  view.canvas.write(textOf(view.sample.halfTurns, glowing), {box_.x, box_.y});
+}
+
+const Layer& HalfTurns::textOf(int count, double glowing) {
+  if (shown_ != std::pair(count, glowing)) {
+    text_ = context_.type.draw(countText(context_, count), countStyle(context_.scale, glowing),
+                               context_.scale.width);
+    shown_ = {count, glowing};
+  }
+  return text_;
 }
 
 }  // namespace

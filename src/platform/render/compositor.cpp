@@ -9,38 +9,74 @@
 
 #include "image/alpha_mask.h"
 #include "image/downsample.h"
+#include "image/wide_vectors.h"
 
 namespace rotatebook::render {
 namespace {
 
-/// Copies the pixels that were drawn, as opaque, within a band.
-void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image::Image& picture) {
-  // Pixels as integers and no branches: the compiler vectorises the loop.
-  for (int y = band.y; y < band.y + band.height; ++y) {
-    const std::uint8_t* from = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
-    std::uint8_t* to = picture.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
-    for (int x = 0; x < band.width; ++x, from += 4, to += 4) {
-      std::uint32_t over = 0, under = 0;
-      std::memcpy(&over, from, 4);
-      std::memcpy(&under, to, 4);
-      const std::uint32_t pixel =
-          (over & image::kAlphaMask) != 0 ? over | image::kAlphaMask : under;
-      std::memcpy(to, &pixel, 4);
-    }
+/// Copies those of `count` pixels that were drawn, as opaque. Pixels as integers and no branches:
+/// the compiler vectorises the loop.
+[[gnu::always_inline]] inline void copyDrawn(const std::uint8_t* from, int count,
+                                             std::uint8_t* to) {
+  for (int x = 0; x < count; ++x, from += 4, to += 4) {
+    std::uint32_t over = 0, under = 0;
+    std::memcpy(&over, from, 4);
+    std::memcpy(&under, to, 4);
+    const std::uint32_t pixel = (over & image::kAlphaMask) != 0 ? over | image::kAlphaMask : under;
+    std::memcpy(to, &pixel, 4);
   }
 }
 
-/// Returns whether the surface changes from one of `count` pixels to the next or to the one below.
-bool changes(const std::uint8_t* here, const std::uint8_t* below, int count) {
+constexpr int kAtOnce = 16;  // Pixels that are compared; as a rule none of them changes.
+
+/// Returns whether the surface changes from one of kAtOnce pixels to the next or to the one below.
+[[gnu::always_inline]] inline bool changes(const std::uint8_t* here, const std::uint8_t* below) {
+  std::array<std::uint32_t, kAtOnce> one{}, next{}, lower{};
+  std::memcpy(one.data(), here, sizeof one);
+  std::memcpy(next.data(), here + 4, sizeof next);
+  std::memcpy(lower.data(), below, sizeof lower);
   std::uint32_t changed = 0;
-  for (int i = 0; i < count; ++i, here += 4, below += 4) {
-    std::array<std::uint32_t, 3> pixels{};
-    std::memcpy(pixels.data(), here, 8);
-    std::memcpy(&pixels[2], below, 4);
-    changed |= (pixels[0] ^ pixels[1]) | (pixels[0] ^ pixels[2]);
-  }
+  for (std::size_t i = 0; i < one.size(); ++i) changed |= (one[i] ^ next[i]) | (one[i] ^ lower[i]);
   return (changed & image::kAlphaMask) != 0;
 }
+
+/// Returns the first of `count` blocks of kAtOnce pixels in which the surface changes, or `count`.
+[[gnu::always_inline]] inline int firstChange(const std::uint8_t* here, const std::uint8_t* below,
+                                              int count) {
+  int block = 0;
+  constexpr int kSize = 4 * kAtOnce;
+  while (block < count && !changes(here, below)) ++block, here += kSize, below += kSize;
+  return block;
+}
+
+/// Both for one kind of processor.
+struct RowCode {
+  void (*copyDrawn)(const std::uint8_t* from, int count, std::uint8_t* to);
+  int (*firstChange)(const std::uint8_t* here, const std::uint8_t* below, int count);
+};
+
+void copyDrawnByBase(const std::uint8_t* from, int count, std::uint8_t* to) {
+  copyDrawn(from, count, to);
+}
+int firstChangeByBase(const std::uint8_t* here, const std::uint8_t* below, int count) {
+  return firstChange(here, below, count);
+}
+constexpr RowCode kBase{&copyDrawnByBase, &firstChangeByBase};
+
+#ifdef __x86_64__
+[[gnu::target("avx2")]] void copyDrawnByAvx2(const std::uint8_t* from, int count,
+                                             std::uint8_t* to) {
+  copyDrawn(from, count, to);
+}
+[[gnu::target("avx2")]] int firstChangeByAvx2(const std::uint8_t* here, const std::uint8_t* below,
+                                              int count) {
+  return firstChange(here, below, count);
+}
+
+const RowCode rowCode = image::usesAvx2() ? RowCode{&copyDrawnByAvx2, &firstChangeByAvx2} : kBase;
+#else
+constexpr RowCode rowCode = kBase;
+#endif
 
 /// A part of a row of pixels, and the row that it is compared with.
 struct RowPart {
@@ -51,16 +87,16 @@ struct RowPart {
 /// where one surface goes through another, neither has an edge.
 void addMeetings(const image::Image& drawn, const RowPart& part, const AlikeSurfaces& alike,
                  EdgePixels& pixels) {
-  constexpr int kAtOnce = 16;  // As a rule none of them changes.
   const auto meet = [&alike](std::uint8_t one, std::uint8_t other) {
     return one != 0 && other != 0 && alike[one] != alike[other];
   };
+  const auto at = [&](int y, int x) { return drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(x); };
   const int last = part.right - 1;
   for (int x = part.left; x < last; x += kAtOnce) {
+    const int blocks = (last - x) / kAtOnce;
+    x += kAtOnce * rowCode.firstChange(at(part.y, x), at(part.next, x), blocks);
     const int count = std::min(kAtOnce, last - x);
-    const std::uint8_t* here = drawn.row(part.y) + 4 * static_cast<std::ptrdiff_t>(x);
-    const std::uint8_t* below = drawn.row(part.next) + 4 * static_cast<std::ptrdiff_t>(x);
-    if (!changes(here, below, count)) continue;
+    const std::uint8_t *here = at(part.y, x), *below = at(part.next, x);
     for (int i = 0; i < count; ++i, here += 4, below += 4) {
       const bool across = meet(here[3], here[7]), down = meet(here[3], below[3]);
       if (across || down) pixels.add(x + i, part.y);
@@ -70,20 +106,17 @@ void addMeetings(const image::Image& drawn, const RowPart& part, const AlikeSurf
   }
 }
 
-/// Adds all such pixels of a body. Below a band only the next one's pixels are this picture's.
-void addMeetings(const DrawnBody& body, const AlikeSurfaces& alike, EdgePixels& pixels) {
-  const auto& bands = body.bands;
-  for (std::size_t i = 0; i < bands.size(); ++i) {
-    const auto& [x, y, width, height] = bands[i];
-    const int last = y + height - 1;
-    for (int row = y; row < last; ++row)
-      addMeetings(body.pixels, {row, row + 1, x, x + width}, alike, pixels);
-    addMeetings(body.pixels, {last, last, x, x + width}, alike, pixels);
-    if (i + 1 == bands.size() || bands[i + 1].y != last + 1) continue;
-    const geometry::PixelRect& next = bands[i + 1];
-    const int left = std::max(x, next.x), right = std::min(x + width, next.x + next.width);
-    addMeetings(body.pixels, {last, last + 1, left, right}, alike, pixels);
-  }
+/// Adds all such pixels of a row of a band. Below a band only the next one's pixels are this
+/// picture's.
+void addMeetings(const DrawnBody& body, std::size_t band, int row, const AlikeSurfaces& alike,
+                 EdgePixels& pixels) {
+  const auto& [x, y, width, height] = body.bands[band];
+  const bool isLast = row == y + height - 1;
+  addMeetings(body.pixels, {row, isLast ? row : row + 1, x, x + width}, alike, pixels);
+  if (!isLast || band + 1 == body.bands.size() || body.bands[band + 1].y != row + 1) return;
+  const geometry::PixelRect& next = body.bands[band + 1];
+  const int left = std::max(x, next.x), right = std::min(x + width, next.x + next.width);
+  addMeetings(body.pixels, {row, row + 1, left, right}, alike, pixels);
 }
 
 void copyPixels(const image::Image& from, const geometry::PixelRect& area, image::Image& to) {
@@ -127,8 +160,9 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
   const bool hasOwn = body.background.width() > 0;
   const image::Image& background = hasOwn ? body.background : background_;
   if (supersample_ == 1) {
-    picture = background;
-    return composeOver(background, body, picture);
+    // It may be of another shape: a picture that was read
+    if (picture.bytes().size() != background.bytes().size()) picture = makePicture();
+    return composeOver(background, body, true, picture);
   }
   // Elsewhere than the body the background is halved once for all pictures
   std::vector<geometry::PixelRect> areas;
@@ -136,21 +170,37 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
   if (hasOwn) areas = {wholePicture()};
   if (!hasOwn) picture = halved_;
   for (const geometry::PixelRect& area : areas) copyPixels(background, area, large_);
-  composeOver(background, body, large_);
+  composeOver(background, body, false, large_);
   for (const geometry::PixelRect& area : areas) halve(large_, area, picture);
 }
 
-void Compositor::composeOver(const image::Image& background, const DrawnBody& body,
+void Compositor::composeOver(const image::Image& background, const DrawnBody& body, bool copies,
                              image::Image& picture) {
-  if (body.bands.empty()) return;
-  for (const geometry::PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
-  edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
-              triangles_);
-  addMeetings(body, alike_, edgePixels_);
+  if (!body.bands.empty()) {
+    edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
+                triangles_);
+  }
+  copyRows(copies ? &background : nullptr, body, picture);
+  if (body.bands.empty()) return;
   edgePixels_.number();
   samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background, picture);
+}
+
+/// Copies each row at once, while the processor's cache holds it.
+void Compositor::copyRows(const image::Image* background, const DrawnBody& body,
+                          image::Image& picture) {
+  const auto size = static_cast<std::size_t>(picture.stride());
+  std::size_t band = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    if (background != nullptr) std::memcpy(picture.row(y), background->row(y), size);
+    while (band < body.bands.size() && body.bands[band].y + body.bands[band].height <= y) ++band;
+    if (band == body.bands.size() || body.bands[band].y > y) continue;
+    const auto left = 4 * static_cast<std::ptrdiff_t>(body.bands[band].x);
+    rowCode.copyDrawn(body.pixels.row(y) + left, body.bands[band].width, picture.row(y) + left);
+    addMeetings(body, band, y, alike_, edgePixels_);
+  }
 }
 
 }  // namespace rotatebook::render

@@ -30,8 +30,12 @@ class Compositor {
   geometry::PixelRect wholePicture() const {
     return {0, 0, background_.width(), background_.height()};
   }
-  /// Composes a body over a background that `picture` shows already where the body may be.
-  void composeOver(const image::Image& background, const DrawnBody& body, image::Image& picture);
+  /// Composes a body over a background, which it `copies` to `picture`, unless that shows it
+  /// already where the body may be.
+  void composeOver(const image::Image& background, const DrawnBody& body, bool copies,
+                   image::Image& picture);
+  /// Copies the background, if there is one, and what was drawn; adds meetings to edgePixels_.
+  void copyRows(const image::Image* background, const DrawnBody& body, image::Image& picture);
 
   const image::Image& background_;
   int supersample_;

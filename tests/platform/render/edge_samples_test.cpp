@@ -155,6 +155,17 @@ TEST(EdgeSamples, SeeTheNearestSurface) {
   }
 }
 
+// The mean of the numbers of the second and the third is the first's.
+TEST(EdgeSamples, CountThreeSurfacesInAPixel) {
+  Scene scene;
+  scene.drawColumns(0, 3, kRed);
+  scene.drawColumns(3, 4, kWhite);
+  scene.drawColumns(4, 8, {0, 0, 255, kThree});
+  scene.triangles = {leftOf(3.5F, kTwo, 0.1F), leftOf(3.75F, kOne, 0.2F), leftOf(100, kThree)};
+  const Pixel expected{shareOfWhite(0.75), shareOfWhite(0.25), shareOfWhite(0.5), 255};
+  EXPECT_EQ(at(scene.resolve(), 3, 4), expected);
+}
+
 TEST(EdgeSamples, FollowDepthThatChangesWithinAPixel) {
   Scene scene;
   scene.drawColumns(0, 4, kWhite);

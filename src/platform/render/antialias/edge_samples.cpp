@@ -20,6 +20,8 @@ constexpr int kSamples = EdgeSamples::kSamples;
 
 /// A value of each sample of a pixel.
 using Samples = EdgeSamples::Samples;
+using Surfaces = EdgeSamples::Surfaces;
+using PixelSamples = EdgeSamples::PixelSamples;
 
 /// Sample positions relative to the pixel's middle, one in each of 16 columns and rows. [pixels]
 struct Offsets {
@@ -128,16 +130,43 @@ void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LinearAccu
   sum.add(opaque.data(), times);
 }
 
+/// Returns how many samples show a surface.
+std::uint32_t countOf(std::int32_t surface, const Surfaces& surfaces) {
+  std::uint32_t count = 0;
+  for (const std::int32_t one : surfaces) count += one == surface ? 1 : 0;
+  return count;
+}
+
 /// The surfaces that a pixel's samples show, with the number of samples of each.
 struct SurfaceCounts {
-  void add(int surface) {
+  explicit SurfaceCounts(const Surfaces& samples) {
+    if (isOfTwo(samples)) return;
+    for (const std::int32_t surface : samples) add(surface);
+  }
+
+  /// Sets the counts if the samples show one surface, or two as along most edges: the other one's
+  /// number follows from the sum of all.
+  bool isOfTwo(const Surfaces& samples) {
+    std::int32_t rest = 0;
+    for (const std::int32_t surface : samples) rest += surface;
+    const std::uint32_t first = countOf(samples[0], samples), others = kSamples - first;
+    rest -= static_cast<std::int32_t>(first) * samples[0];
+    const std::int32_t other = others == 0 ? 0 : rest / static_cast<std::int32_t>(others);
+    if (others > 0 && (other == samples[0] || countOf(other, samples) != others)) return false;
+    surfaces[0] = samples[0], surfaces[1] = other;
+    counts[0] = first, counts[1] = others;
+    size = others == 0 ? 1 : 2;
+    return true;
+  }
+
+  void add(std::int32_t surface) {
     std::size_t i = 0;
     while (i < size && surfaces[i] != surface) ++i;
     if (i == size) surfaces[size++] = surface;
     ++counts[i];
   }
 
-  std::array<int, kSamples> surfaces;  // The first `size` are set.
+  Surfaces surfaces;  // The first `size` are set.
   std::array<std::uint32_t, kSamples> counts{};
   std::size_t size = 0;
 };
@@ -207,14 +236,14 @@ class PixelMixer {
 struct Rasterised {
   Coverage planes;
   Eigen::Array2f low, high;  // The corners of the part. [pixels]
-  float surface;
+  std::int32_t surface;
 };
 
 /// Depth-tests the samples of the edge pixels that a triangle can cover, row by row, as many
-/// samples at once as a `Vector` holds. `depths`, `surfaces`: by pixel number.
-template <typename Vector>
+/// samples at once as a `Vector` holds. `samples`: by pixel number.
+template <typename Vector, typename Numbers>
 [[gnu::always_inline]] inline void rasteriseBy(const Rasterised& triangle, const EdgePixels& pixels,
-                                               Samples* depths, Samples* surfaces) {
+                                               PixelSamples* samples) {
   constexpr std::size_t kAtOnce = sizeof(Vector) / sizeof(float);
   // No structured bindings: clang before 16 captures none in lambdas.
   const std::array<Plane, 3>& edges = triangle.planes.edges;
@@ -223,7 +252,7 @@ template <typename Vector>
   const Samples firstDifferences = first.differences(), secondDifferences = second.differences();
   const Samples thirdDifferences = third.differences();
   const Samples depthDifferences = depthPlane.differences();
-  const Vector surface = Vector{} + triangle.surface;
+  const Numbers surface = Numbers{} + triangle.surface;
   const RowSpans spans(triangle.planes.edges, triangle.low.x(), triangle.high.x());
   const auto end = triangle.high.y();
   for (int y = static_cast<int>(triangle.low.y()); static_cast<float>(y) < end; ++y) {
@@ -239,38 +268,41 @@ template <typename Vector>
 
           // Depth-test the samples within all edges
           for (std::size_t i = 0; i < kSamples; i += kAtOnce) {
-            Vector toFirst, toSecond, toThird, depth, nearest, shown;
+            Vector toFirst, toSecond, toThird, depth, nearest;
+            Numbers shown;
             std::memcpy(&toFirst, &firstDifferences[i], sizeof(Vector));
             std::memcpy(&toSecond, &secondDifferences[i], sizeof(Vector));
             std::memcpy(&toThird, &thirdDifferences[i], sizeof(Vector));
+            const Numbers inside =
+                (toFirst + atFirst >= 0) & (toSecond + atSecond >= 0) & (toThird + atThird >= 0);
             std::memcpy(&depth, &depthDifferences[i], sizeof(Vector));
-            std::memcpy(&nearest, &depths[number][i], sizeof(Vector));
-            std::memcpy(&shown, &surfaces[number][i], sizeof(Vector));
+            std::memcpy(&nearest, &samples[number].depths[i], sizeof(Vector));
+            std::memcpy(&shown, &samples[number].surfaces[i], sizeof(Vector));
             depth += middleDepth;
-            const auto visible = (toFirst + atFirst >= 0) & (toSecond + atSecond >= 0) &
-                                 (toThird + atThird >= 0) & (depth < nearest);
+            const Numbers visible = inside & (depth < nearest);
             nearest = visible ? depth : nearest;
             shown = visible ? surface : shown;
-            std::memcpy(&depths[number][i], &nearest, sizeof(Vector));
-            std::memcpy(&surfaces[number][i], &shown, sizeof(Vector));
+            std::memcpy(&samples[number].depths[i], &nearest, sizeof(Vector));
+            std::memcpy(&samples[number].surfaces[i], &shown, sizeof(Vector));
           }
         });
   }
 }
 
 using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+using FourNumbers [[gnu::vector_size(4 * sizeof(float))]] = std::int32_t;
 
-void rasteriseByBase(const Rasterised& triangle, const EdgePixels& pixels, Samples* depths,
-                     Samples* surfaces) {
-  rasteriseBy<Four>(triangle, pixels, depths, surfaces);
+void rasteriseByBase(const Rasterised& triangle, const EdgePixels& pixels, PixelSamples* samples) {
+  rasteriseBy<Four, FourNumbers>(triangle, pixels, samples);
 }
 
 #ifdef __x86_64__
 using Eight [[gnu::vector_size(8 * sizeof(float))]] = float;
+using EightNumbers [[gnu::vector_size(8 * sizeof(float))]] = std::int32_t;
 
 [[gnu::target("avx2")]] void rasteriseByAvx2(const Rasterised& triangle, const EdgePixels& pixels,
-                                             Samples* depths, Samples* surfaces) {
-  rasteriseBy<Eight>(triangle, pixels, depths, surfaces);
+                                             PixelSamples* samples) {
+  rasteriseBy<Eight, EightNumbers>(triangle, pixels, samples);
 }
 
 const auto rasteriseAll = image::usesAvx2() ? &rasteriseByAvx2 : &rasteriseByBase;
@@ -291,38 +323,27 @@ void EdgeSamples::rasterise(const EdgePixels& pixels, const ScreenTriangle& tria
   const Eigen::Array2f low = a.cwiseMin(b).cwiseMin(c).head<2>().array().max(0.0F);
   const Eigen::Array2f high = a.cwiseMax(b).cwiseMax(c).head<2>().array().min(size);
   if ((low >= high).any()) return;
-  rasteriseAll({*coverage, low, high, triangle.surfaceId}, pixels, depths_.data(),
-               surfaces_.data());
-}
-
-bool EdgeSamples::isUniform(const Samples& surfaces) {
-  bool same = true;
-  for (const float surface : surfaces) same &= surface == surfaces[0];
-  return same;
+  rasteriseAll({*coverage, low, high, static_cast<std::int32_t>(triangle.surfaceId)}, pixels,
+               pixels_.data());
 }
 
 void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
                           const image::Image& drawn, const DrawnStrips& strips,
                           const image::Image& background, image::Image& picture) {
   // Find the nearest surface at every sample of the edge pixels
-  Samples farthest;
-  farthest.fill(std::numeric_limits<float>::max());
-  depths_.assign(pixels.count(), farthest);
-  surfaces_.assign(pixels.count(), Samples{});
+  PixelSamples nothing{};
+  nothing.depths.fill(std::numeric_limits<float>::max());
+  pixels_.assign(pixels.count(), nothing);
   for (const ScreenTriangle& triangle : triangles) rasterise(pixels, triangle);
 
   PixelMixer mixer({alike_, pixels, drawn}, strips, background);
   for (int y = 0; y < pixels.height(); ++y) {
     pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {
       // Leave a pixel that shows one surface and was drawn so
-      if (isUniform(surfaces_[number])) {
-        const int surface = static_cast<int>(surfaces_[number][0]);
-        if (mixer.isResolved(x, y, surface)) return;
-      }
+      const SurfaceCounts samples(pixels_[number].surfaces);
+      if (samples.size == 1 && mixer.isResolved(x, y, samples.surfaces[0])) return;
 
       // Mix the colours of its surfaces by their numbers of samples
-      SurfaceCounts samples;
-      for (const float surface : surfaces_[number]) samples.add(static_cast<int>(surface));
       mixer.mix(x, y, samples, picture.row(y) + 4 * static_cast<std::ptrdiff_t>(x));
     });
   }

@@ -29,6 +29,13 @@ class EdgeSamples {
  public:
   static constexpr int kSamples = 16;  ///< Per pixel.
   using Samples = std::array<float, kSamples>;
+  using Surfaces = std::array<std::int32_t, kSamples>;
+
+  /// Depths of a pixel's samples, and the surfaces that they show, 0 for none.
+  struct PixelSamples {
+    Samples depths;
+    Surfaces surfaces;
+  };
 
   /// `alike`: of the body's surfaces.
   explicit EdgeSamples(const AlikeSurfaces& alike) : alike_(alike) {}
@@ -42,11 +49,9 @@ class EdgeSamples {
 
  private:
   void rasterise(const EdgePixels& pixels, const ScreenTriangle& triangle);
-  /// Returns whether all samples of a pixel show one surface.
-  static bool isUniform(const Samples& surfaces);
 
   AlikeSurfaces alike_;
-  std::vector<Samples> depths_, surfaces_;  // By pixel number.
+  std::vector<PixelSamples> pixels_;  // By their numbers.
 };
 
 }  // namespace rotatebook::render

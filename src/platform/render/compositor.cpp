@@ -159,11 +159,10 @@ image::Image Compositor::makePicture() const {
 void Compositor::compose(const DrawnBody& body, image::Image& picture) {
   const bool hasOwn = body.background.width() > 0;
   const image::Image& background = hasOwn ? body.background : background_;
-  if (supersample_ == 1) {
-    // It may be of another shape: a picture that was read
-    if (picture.bytes().size() != background.bytes().size()) picture = makePicture();
-    return composeOver(background, body, true, picture);
-  }
+  // It may be of another shape: a picture that was read
+  const auto pixels = static_cast<std::size_t>(supersample_ * supersample_);
+  if (pixels * picture.bytes().size() != background.bytes().size()) picture = makePicture();
+  if (supersample_ == 1) return composeOver(background, body, true, picture);
   // Elsewhere than the body the background is halved once for all pictures
   std::vector<geometry::PixelRect> areas;
   for (const geometry::PixelRect& band : body.bands) areas.push_back(evenAround(band));

@@ -23,7 +23,8 @@ class Compositor {
 
   /// Returns a picture of the right size and format for compose().
   image::Image makePicture() const;
-  /// Overwrites all of `picture`, from makePicture(). `body` has the background's size.
+  /// Overwrites all of `picture`; one of another size or format becomes makePicture()'s. `body` has
+  /// the background's size.
   void compose(const DrawnBody& body, image::Image& picture);
 
  private:

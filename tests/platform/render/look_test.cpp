@@ -204,6 +204,21 @@ double shimmer(const std::vector<image::Image>& frames, const geometry::PixelRec
   return std::sqrt(sum / count);
 }
 
+// Frames that were read, of an earlier run, are RGB.
+TEST(Look, PicturesOfAnyShapeAreDrawnOver) {
+  for (const int supersample : {1, 2}) {
+    RenderSettings settings = settingsOf(64, 36);
+    settings.background = Background::Stars;
+    settings.supersample = supersample;
+    Renderer renderer(settings, builtinTextures());
+    renderer.setTurning(Eigen::Matrix3d::Identity());  // A background of its own for each picture.
+    const image::Image expected = drawn(renderer, book());
+    image::Image picture(128, 72, image::PixelFormat::Rgb8);
+    renderer.draw(book(), picture);
+    EXPECT_TRUE(picture == expected) << supersample;
+  }
+}
+
 TEST(Look, TitleDoesNotShimmerAsItTurns) {
   Renderer renderer(settingsOf(640, 360), builtinTextures());
   std::vector<image::Image> frames;

@@ -174,6 +174,16 @@ TEST_P(Lanes, MakeStepsOfAMomentumWithoutAPartAlongY) {
   }
 }
 
+// Where all of a block turn little in a step, or all turn far, they are normalised by shorter ways.
+TEST_P(Lanes, MakeStepsOfMotionsThatTurnAlike) {
+  auto motions = ordinaryMotions(3072, Integrator::Euler, 12);
+  std::ranges::sort(motions, {}, [](const MotionSettings& motion) {
+    return motion.simulation.timePerFrame * motion.initial.value.norm();
+  });
+  const Simulated scalar(motions, 1000);
+  EXPECT_EQ(compare(motions, scalar.states, 1000, GetParam()).different, 0U);
+}
+
 // Reduces what samples at the looks say.
 Outcome expectedOf(const WatchedMotion& watched) {
   Outcome result;

@@ -42,17 +42,34 @@ inline double exactProductPlus(double a, double b, double c) {
   return a * b + c;
 }
 
+/// Distance from 1 up to which inverseRoot() is that of the series.
+inline constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
 /// Distance from 1 up to which a type's inverseOfRoot() is right, if it has one.
 inline constexpr double kRootReach = 0x1p-5;
+
+/// Returns inverseRoot() of numbers that are all near 1.
+template <typename Number>
+[[gnu::always_inline]] inline Number inverseRootNearOne(Number x) {
+  const Number e = x - Number(1);
+  return exactProductPlus(Number(-0.5), e, Number(1)) +
+         e * e * exactProductPlus(Number(-0.3125), e, Number(0.375));
+}
+/// Returns inverseRoot() of numbers that are all farther from 1, but within kRootReach.
+template <typename Number>
+[[gnu::always_inline]] inline Number inverseRootFarFromOne(Number x) {
+  if constexpr (requires { inverseOfRoot(x, x); }) {
+    return inverseOfRoot(x, inverseRootNearOne(x));
+  } else {
+    return Number(1) / rootOf(x);
+  }
+}
 
 /// Returns 1/sqrt(x), to rounding. Near 1, where the squared norm of an attitude is after a short
 /// step, a series is faster than a root and a division. There x - 1 has at most 40 digits.
 template <typename Number>
 [[gnu::always_inline]] inline Number inverseRoot(Number x) {
-  constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
   const Number e = x - Number(1);
-  const Number series = exactProductPlus(Number(-0.5), e, Number(1)) +
-                        e * e * exactProductPlus(Number(-0.3125), e, Number(0.375));
+  const Number series = inverseRootNearOne(x);
   if (!isAnyLarger(e, kNearOne)) [[likely]]
     return series;
   const auto isFar = magnitude(e) > Number(kNearOne);

@@ -108,11 +108,20 @@ struct FactoredOneByOne {
   }
 };
 
-template <typename Number>
+/// When steps end with a normalisation, and how far each of them is known to go.
+enum class Drift { Sometimes, Each, EachNear, EachFar };
+
+template <Drift kDrift, typename Number>
 [[gnu::always_inline]] inline void undoDrift(Quaternion<Number>& attitude) {
-  normalize(attitude);
+  if constexpr (kDrift == Drift::EachNear) {
+    attitude = scaled(attitude, physics::inverseRootNearOne(squaredNorm(attitude)));
+  } else if constexpr (kDrift == Drift::EachFar) {
+    attitude = scaled(attitude, physics::inverseRootFarFromOne(squaredNorm(attitude)));
+  } else {
+    normalize(attitude);
+  }
 }
-template <typename Number>
+template <Drift kDrift, typename Number>
 [[gnu::always_inline]] inline void undoDrift(Matrix3<Number>& attitude) {
   physics::takePolarFactor(attitude, FactoredOneByOne<Number>{});
 }
@@ -188,6 +197,11 @@ template <typename Step>
   }
 }
 
+template <typename Step>
+inline constexpr bool kIsEuler = requires(Step step) {
+  step.halfTurn;
+};
+
 /// As many motions as a number holds.
 template <typename OfStep, typename OfNumber>
 struct Group {
@@ -215,33 +229,33 @@ void store(const Group& group, Block& block, int first) {
   store<Number>(group.watch, reinterpret_cast<Row*>(&block.watch), first);
 }
 
-template <typename Number, int kGroups, typename Group>
+template <Drift kDrift, int kGroups, typename Group>
 [[gnu::always_inline]] inline void makeStep(Group (&groups)[kGroups], bool isDue) {
 #pragma GCC unroll 4
   for (Group& group : groups) {
-    take<Number>(group.step, group.state);
-    if (isDue) undoDrift(group.state.attitude);
+    take<typename Group::Number>(group.step, group.state);
+    if (isDue) undoDrift<kDrift>(group.state.attitude);
   }
 }
 
 /// Makes steps, of which `left` are left to the next normalisation.
-template <typename Number, int kGroups, typename Group>
+template <int kGroups, typename Group>
 [[gnu::always_inline]] inline void makeSteps(Group (&groups)[kGroups], std::int64_t count,
                                              const Course& course, std::int64_t& left) {
   for (std::int64_t made = 0; made < count; ++made) {
     const bool isDue = course.normalizeEvery != 0 && --left <= 0;
     if (isDue) left = course.normalizeEvery;
-    makeStep<Number>(groups, isDue);
+    makeStep<Drift::Sometimes>(groups, isDue);
   }
 }
 
 /// Makes steps, each of which ends with a normalisation; the first by itself, as it has much in
 /// common with a look before it.
-template <typename Number, int kGroups, typename Group>
+template <Drift kDrift, int kGroups, typename Group>
 [[gnu::always_inline]] inline void makeNormalizedSteps(Group (&groups)[kGroups],
                                                        std::int64_t count) {
-  if (count > 0) makeStep<Number>(groups, true);
-  for (std::int64_t made = 1; made < count; ++made) makeStep<Number>(groups, true);
+  if (count > 0) makeStep<kDrift>(groups, true);
+  for (std::int64_t made = 1; made < count; ++made) makeStep<kDrift>(groups, true);
 }
 
 /// Looks at the motions after so many frames. Returns for which bodies nothing needs care.
@@ -292,7 +306,7 @@ template <int kGroups, typename Group>
 
 /// Runs the motions of some groups of a block, step by step in turns: one group's step gives the
 /// processor something to do while it waits for the results of another's.
-template <template <typename> typename Step, typename Number, int kGroups, bool kNormalizesEach>
+template <template <typename> typename Step, typename Number, int kGroups, Drift kDrift>
 bool runGroups(Block& block, int first, const Course& course) {
   constexpr int kLanes = kLanesOf<Number>;
   Group<Step<Number>, Number> groups[kGroups];
@@ -306,16 +320,14 @@ bool runGroups(Block& block, int first, const Course& course) {
     return rest < course.framesPerLook ? rest : course.framesPerLook;
   };
   const auto make = [&](std::int64_t made) __attribute__((always_inline)) {
-    if constexpr (kNormalizesEach) {
-      makeNormalizedSteps<Number>(groups, made * course.stepsPerFrame);
+    if constexpr (kDrift == Drift::Sometimes) {
+      makeSteps(groups, made * course.stepsPerFrame, course, left);
     } else {
-      makeSteps<Number>(groups, made * course.stepsPerFrame, course, left);
+      makeNormalizedSteps<kDrift>(groups, made * course.stepsPerFrame);
     }
     frames += made;
   };
-  constexpr bool kSettles = kNormalizesEach && requires {
-    groups[0].step.halfTurn;
-  };
+  constexpr bool kSettles = kDrift != Drift::Sometimes && kIsEuler<Step<Number>>;
   constexpr int kLooks = 8;  // from one question whether all are settled to the next
   bool care = false, goesOn = frames < course.frames;
   if (goesOn) make(framesToLook());
@@ -334,15 +346,37 @@ bool runGroups(Block& block, int first, const Course& course) {
   return care;
 }
 
+/// Returns how far each normalisation of some motions goes.
+inline Drift driftOf(const Block& block, int first, int count) {
+  constexpr double kRounding = 0.999;
+  bool isNear = true, isFar = true;
+  for (int lane = first; lane < first + count; ++lane) {
+    isNear = isNear && block.mostStretch[lane] < kRounding * physics::kNearOne;
+    isFar = isFar && physics::kNearOne < kRounding * block.leastStretch[lane] &&
+            block.mostStretch[lane] < kRounding * physics::kRootReach;
+  }
+  return isNear ? Drift::EachNear : isFar ? Drift::EachFar : Drift::Each;
+}
+
 template <template <typename> typename Step, typename Number, int kGroups>
 bool run(Block& block, const Course& course) {
   constexpr int kLanes = kLanesOf<Number> * kGroups;
   static_assert(kBlockSize % kLanes == 0);
-  const auto runGroupsFrom = course.normalizeEvery == 1 ? &runGroups<Step, Number, kGroups, true>
-                                                        : &runGroups<Step, Number, kGroups, false>;
+  const auto runFrom = [&](int first) {
+    if (course.normalizeEvery != 1)
+      return runGroups<Step, Number, kGroups, Drift::Sometimes>(block, first, course);
+    if constexpr (kIsEuler<Step<Number>>) {
+      const Drift drift = driftOf(block, first, kLanes);
+      if (drift == Drift::EachNear)
+        return runGroups<Step, Number, kGroups, Drift::EachNear>(block, first, course);
+      if (drift == Drift::EachFar)
+        return runGroups<Step, Number, kGroups, Drift::EachFar>(block, first, course);
+    }
+    return runGroups<Step, Number, kGroups, Drift::Each>(block, first, course);
+  };
   bool care = false;
   for (int first = 0; first < kBlockSize; first += kLanes) {
-    if (runGroupsFrom(block, first, course)) care = true;
+    if (runFrom(first)) care = true;
   }
   return care;
 }

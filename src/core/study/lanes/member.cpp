@@ -94,16 +94,23 @@ bool Member::hasOrdinaryNumbers() const {
   return isAll;
 }
 
-// Above it less than half of the momentum is along the spun axis k, whatever follows: the energy is
-// at most B_k l^2 + B_max (L^2 - l^2), with l along k. Rounding takes less from it than a
-// thousandth.
-double Member::lastEnergy() const {
+// With halves v = (h/2) B L of the turns in the body, e = v.L never falls, and |L| stays.
+// - A step adds v^2 to the attitude's squared norm: from (e / |L|)^2 to its largest value.
+// - e is at most b_k l^2 + b_max (L^2 - l^2), with l along the spun axis k: above a bound less than
+//   half of the momentum is along it, whatever follows. Rounding takes less than a thousandth.
+void Member::fillBounds(Block& block, int lane) const {
+  block.leastStretch[lane] = 0;
+  block.mostStretch[lane] = block.watch.lastEnergy[lane] = std::numeric_limits<double>::infinity();
   const auto* step = std::get_if<physics::EulerStep<double>>(&motion_.step());
-  if (step == nullptr) return std::numeric_limits<double>::infinity();
+  if (step == nullptr) return;
   const Eigen::Vector3d halfTurn(step->halfTurn.x, step->halfTurn.y, step->halfTurn.z);
+  const double square = motion_.momentum().squaredNorm(), most = halfTurn.maxCoeff();
+  const double energy = motion_.momentum().cwiseAbs2().dot(halfTurn);
+  block.leastStretch[lane] = energy * energy / square;
+  block.mostStretch[lane] = most * most * square;
   const Eigen::Vector3d spun = motion_.inertia().bodyFromPrincipal.transpose() * spunAxis_;
-  const double bound = spun.cwiseAbs2().dot(halfTurn) / 4 + 0.75 * halfTurn.maxCoeff();
-  return 1.001 * bound * motion_.momentum().squaredNorm();
+  const double bound = spun.cwiseAbs2().dot(halfTurn) / 4 + 0.75 * most;
+  block.watch.lastEnergy[lane] = 1.001 * bound * square;
 }
 
 void Member::fill(Block& block, int lane) const {
@@ -111,7 +118,7 @@ void Member::fill(Block& block, int lane) const {
   scatter(motion_.start(), block.state, lane);
   const Eigen::Matrix3d principalFromBody = motion_.inertia().bodyFromPrincipal.transpose();
   scatterVector(principalFromBody * spunAxis_, block.watch.spunAxis, lane);
-  block.watch.lastEnergy[lane] = lastEnergy();
+  fillBounds(block, lane);
   block.hasEnded[lane] = false;
   block.frames[lane] = 0;
 }
@@ -176,6 +183,8 @@ void Member::fillAtRest(Block& block, int lane) const {
   scatterVector({1, 0, 0}, block.watch.spunAxis, lane);  // The momentum's, which stays.
   block.watch.side[lane] = 1;
   block.watch.lastEnergy[lane] = -1;
+  block.leastStretch[lane] = 1;  // None, which is neither near nor far.
+  block.mostStretch[lane] = 0;
   block.hasEnded[lane] = true;
 }
 

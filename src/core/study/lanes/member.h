@@ -45,7 +45,7 @@ class Member {
   Member(const physics::MotionSettings& settings, const physics::RigidMotion& motion);
 
   bool hasOrdinaryNumbers() const;
-  double lastEnergy() const;
+  void fillBounds(Block& block, int lane) const;
   double timeOf(double frame) const { return frame * interval_; }
   void count(Block& block, int lane, const physics::BodyState& state) const;
 

@@ -86,5 +86,11 @@ TEST(CiTurns, FollowEachOtherByTheNumberOfCommits) {
               ::testing::HasSubstr("turn=$(($(git rev-list --count HEAD) % 20))"));
 }
 
+// On the command line they would replace a preset's: coverage's, which count lines.
+TEST(CiBuilds, LeavePresetsTheirFlags) {
+  EXPECT_THAT(readText(fs::path(ROTATEBOOK_SOURCE) / "Makefile"),
+              ::testing::Not(::testing::HasSubstr("-DCMAKE_CXX_FLAGS=")));
+}
+
 }  // namespace
 }  // namespace rotatebook::house

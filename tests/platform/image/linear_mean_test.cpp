@@ -37,7 +37,8 @@ TEST(LinearMean, KeepsEveryNumberOfEqualPictures) {
   LinearMean mean(2, 1);
   for (int number = 0; number < 256; ++number) {
     const auto value = static_cast<std::uint8_t>(number);
-    for (int i = 0; i < 16; ++i) mean.add(pictureOf({value, 0, 0, 255}, {0, value, 0, 7}).view());
+    // As many as there may be: the sums of white fill their 32 bits.
+    for (int i = 0; i < 256; ++i) mean.add(pictureOf({value, 0, 0, 255}, {0, value, 0, 7}).view());
     mean.take(picture);
     EXPECT_EQ(pixelAt(picture, 0), (Pixel{value, 0, 0, 255}));
     EXPECT_EQ(pixelAt(picture, 1), (Pixel{0, value, 0, 7}));

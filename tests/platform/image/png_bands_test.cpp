@@ -69,7 +69,7 @@ TEST_F(PngBandsTest, TheRowAboveABandCounts) {
   Image picture(20, 96, PixelFormat::Rgb8);
   PngWriter writer;
   writtenBy(writer, picture);
-  picture.row(31)[7] = 1;  // The second band's rows stay, its differences to the row above don't.
+  picture.row(31)[7] = 1;  // The second band's rows stay; a filter that looks up would see it.
   EXPECT_EQ(writtenBy(writer, picture), writtenAlone(picture, {}));
   EXPECT_EQ(readPng(path_), picture);
 }

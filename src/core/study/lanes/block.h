@@ -44,8 +44,8 @@ struct Block {
   alignas(64) Row step[kStepNumbers];    ///< The numbers of each motion's step type.
   alignas(64) Row state[kStateNumbers];  ///< Of each step's State.
   alignas(64) WatchRows watch;
-  double leastStretch[kBlockSize];  ///< Of what a step adds to an attitude's squared norm, 1; or 0
-  double mostStretch[kBlockSize];   ///< Likewise, or infinity.
+  double leastStretch[kBlockSize];  ///< A step adds at least this to an attitude's norm, squared.
+  double mostStretch[kBlockSize];   ///< At most this; 0 and infinity where neither is known.
   std::int64_t frames[kBlockSize];  ///< Made so far: up to a look, or all.
   bool needsCare[kBlockSize];
   bool hasEnded[kBlockSize];

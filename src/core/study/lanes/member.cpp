@@ -183,7 +183,7 @@ void Member::fillAtRest(Block& block, int lane) const {
   scatterVector({1, 0, 0}, block.watch.spunAxis, lane);  // The momentum's, which stays.
   block.watch.side[lane] = 1;
   block.watch.lastEnergy[lane] = -1;
-  block.leastStretch[lane] = 1;  // None, which is neither near nor far.
+  block.leastStretch[lane] = 1;  // Keeps the others from neither way.
   block.mostStretch[lane] = 0;
   block.hasEnded[lane] = true;
 }

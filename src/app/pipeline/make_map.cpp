@@ -61,6 +61,15 @@ std::string tilesText(std::size_t count) {
   return countText(static_cast<std::int64_t>(count), "tile");
 }
 
+/// Returns the files that are removed before others are written. Values of the same settings stay,
+/// so that pictures can be made of them whatever stops the writing.
+std::vector<fs::path> outdatedFiles(const scene::Scene& scene, const store::MapFiles& files) {
+  if (store::mapFingerprintIn(files) != store::mapFingerprint(scene)) return allOf(files);
+  std::vector<fs::path> all = files.plots;
+  all.insert(all.end(), {files.plain, files.csv});
+  return all;
+}
+
 /// Writes the arrays. Returns the text about them.
 std::string writeValues(const scene::Scene& scene, const study::MapRuns& runs,
                         const MapResult& result, const store::MapFiles& files, bool isSmall) {
@@ -132,7 +141,7 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const study::MapRun
   const bool isSmall =
       static_cast<std::size_t>(scene.map->runs()) * result.values.size() <= study::kMaxMapRows;
   if (isSmall) written.push_back(files.csv.string());
-  store::removeFiles(allOf(files));
+  store::removeFiles(outdatedFiles(scene, files));
   std::string json;
   const std::array<std::function<void()>, 3> parts{
       [&] {

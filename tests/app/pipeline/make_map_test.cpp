@@ -203,6 +203,16 @@ TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
   EXPECT_EQ(make(mapScene(), resuming()).found, 0U) << "its array is damaged";
 }
 
+TEST_F(MakeMap, KeepsValuesWhosePicturesCannotBeMadeAnew) {
+  const MadeMap made = make(mapScene());
+  const study::MapRuns runs(mapScene());
+  writeMap(mapScene(), runs, made.result, files());
+  store::MapFiles elsewhere = files();
+  elsewhere.plots = {folder_ / "none" / "small.png"};
+  EXPECT_THROW(writeMap(mapScene(), runs, made.result, elsewhere, 1), MachineError);
+  EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
+}
+
 TEST_F(MakeMap, WritesWhatItSays) {
   const scene::Scene scene = mapScene();
   const MadeMap made = make(scene);

@@ -50,7 +50,7 @@ setup-test: setup
 	@scripts/setup.sh test
 
 # CI builds all from nothing: three times as many sources at once, and fewer collections of the compiler's garbage, take
-# three quarters of the time, and 1.6 GB a compiler. A preset's own flags replace CXXFLAGS.
+# five sixths of the time, and 1.6 GB a compiler. A preset's own flags replace CXXFLAGS.
 ci_options = $(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON) -DCMAKE_UNITY_BUILD_BATCH_SIZE=24
 CONFIGURE = $(if $(CI),CXXFLAGS="$$CXXFLAGS --param=ggc-min-heapsize=1000000") cmake --preset $(PRESET) \
   $(if $(CI),$(ci_options))

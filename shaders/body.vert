@@ -14,7 +14,6 @@ uniform vec3 cage[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 uniform vec3 beside;  // Share of light that is scattered by what hides the surroundings.
 uniform vec3 eye;  // World. [m]
-uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
 out vec2 texCoord;
 out vec3 diffuseLight;   // Irradiance / pi. Linear.
@@ -24,7 +23,6 @@ out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
 // Software rasterisers read a uniform in each pixel anew, which takes as long as 25 multiplications.
 flat out vec3 besideIt;  // beside
-flat out float stamped;  // 1 - plainCloth
 flat out float surfaceId;
 
 const float kLean = 1.28;  // Toward the middle of half the surroundings, where half is hidden.
@@ -50,7 +48,6 @@ void main() {
   texCoord = vertexTexCoord;
   fromEye = worldPosition - eye;
   besideIt = beside;
-  stamped = float(1 - plainCloth);
   worldNormal = normal;
   cubePosition = unitPosition;
   skyVisibility = vertexSkyVisibility;

@@ -69,8 +69,10 @@ void main() {
   // An interpolated normal may point away from the eye where the side hardly does.
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   rough = widenedRoughness(rough, worldNormal);
-  vec3 share = mix(vec3(dielectricShare(rough, nv)), metalShare(base, rough, nv), metal);
-  vec3 shine = studio(reflect(-toEye, normal), normal, rough) * share;
+  vec3 share = metalShare(metal, metal * base, rough, nv);
+  share += (1.0 - metal) * dielectricShare(rough, nv);
+  float lobe = rough * mix(kDielectricLobe, 1.0, metal);
+  vec3 shine = studio(reflect(-toEye, normal), normal, lobe) * share;
   vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

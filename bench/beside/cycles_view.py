@@ -17,6 +17,7 @@ import studio
 np.bool = bool  # Which the importer of Blender 3.4 asks for, and newer versions of NumPy lack.
 
 STUDIO_HEIGHT = 512  # Of the studio as a map, which is twice as wide. [pixels]
+ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../assets")
 CLOTH_ROUGHNESS, GOLD_ROUGHNESS = 0.45, 0.26
 
 
@@ -55,17 +56,16 @@ def number(nodes, links, operation, *inputs, clamp=False):
 
 
 def stamp_gold(material):
-    """Makes what is golden in the material's picture a metal, as goldness() of shaders/cover.frag has it.
-
-    The exported picture of gold is half as fine.
-    """
+    """Gives a cover its whole picture, as what is exported is half as fine, and makes what is golden in it a metal, as
+    withGold() of src/platform/render/book_textures.cpp has it."""
     nodes, links = material.node_tree.nodes, material.node_tree.links
     surface = nodes["Principled BSDF"]
     colour = surface.inputs["Base Color"].links[0].from_socket
+    colour.node.image = bpy.data.images.load(os.path.join(ASSETS, material.name + ".png"))
     parts = nodes.new("ShaderNodeSeparateColor")
     links.new(colour, parts.inputs[0])
     red, green, blue = parts.outputs[:3]
-    yellow = number(nodes, links, "MULTIPLY", 4, number(nodes, links, "SUBTRACT", green, number(
+    yellow = number(nodes, links, "MULTIPLY", 5.5, number(nodes, links, "SUBTRACT", green, number(
         nodes, links, "MULTIPLY", 0.35, red)), clamp=True)
     warm = number(nodes, links, "MULTIPLY", 6, number(nodes, links, "SUBTRACT", number(
         nodes, links, "MULTIPLY", 0.5, red), blue), clamp=True)
@@ -73,6 +73,37 @@ def stamp_gold(material):
     links.new(gold, surface.inputs["Metallic"])
     smoother = number(nodes, links, "MULTIPLY", GOLD_ROUGHNESS - CLOTH_ROUGHNESS, gold)
     links.new(number(nodes, links, "ADD", CLOTH_ROUGHNESS, smoother), surface.inputs["Roughness"])
+
+
+def connect(links, source, target):
+    """Gives an input what another has: its link, or its number."""
+    if source.links:
+        links.new(source.links[0].from_socket, target)
+    else:
+        target.default_value = source.default_value
+
+
+def scatter_evenly(material):
+    """Makes the material glTF's, whose matt part is Lambert's.
+
+    That of the Principled BSDF before Blender 4 is Disney's, which shines at grazing views: rough paper by a third.
+    """
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    metal = nodes["Principled BSDF"]
+    glaze, matt = nodes.new("ShaderNodeBsdfPrincipled"), nodes.new("ShaderNodeBsdfDiffuse")
+    coated, whole = nodes.new("ShaderNodeAddShader"), nodes.new("ShaderNodeMixShader")
+    glaze.inputs["Base Color"].default_value = (0, 0, 0, 1)
+    connect(links, metal.inputs["Roughness"], glaze.inputs["Roughness"])
+    connect(links, metal.inputs["Base Color"], matt.inputs["Color"])
+    connect(links, metal.inputs["Metallic"], whole.inputs["Fac"])
+    for link in metal.inputs["Metallic"].links:
+        links.remove(link)
+    metal.inputs["Metallic"].default_value = 1
+    links.new(matt.outputs[0], coated.inputs[0])
+    links.new(glaze.outputs[0], coated.inputs[1])
+    links.new(coated.outputs[0], whole.inputs[1])
+    links.new(metal.outputs[0], whole.inputs[2])
+    links.new(whole.outputs[0], nodes["Material Output"].inputs["Surface"])
 
 
 def main():
@@ -86,6 +117,8 @@ def main():
     for material in bpy.data.materials:
         if material.name in ("front", "spine", "back"):
             stamp_gold(material)
+        if material.use_nodes:
+            scatter_evenly(material)
     scene.render.engine = "CYCLES"
     scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.seed = int(samples), False, 1
     scene.render.film_transparent = True

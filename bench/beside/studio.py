@@ -8,7 +8,7 @@ import re
 import numpy as np
 
 SHADERS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../shaders")
-TERMS = ["kEven", "kX", "kY", "kZ", "kXy", "kYz", "kZx", "kXxYy", "kZz"]
+TERMS = ["kEven", "kX", "kY", "kZ", "kXy", "kYz", "kZx", "kXxYy", "kZz", "kFourth"]
 
 
 def read(name):
@@ -28,7 +28,7 @@ def smoothstep(low, high, x):
 
 def radiance(direction):
     """Returns the radiance, n x 3, from n directions, as a perfect mirror shows it; +y is up, +z to the camera."""
-    text = read("studio_shine.glsl")
+    text = read("studio_scatter.glsl") + read("studio_shine.glsl")
     height = smoothstep(-0.5, 0.7, direction[:, 1])[:, None]
     light = constant(text, "kBelow") * (1 - height) + constant(text, "kAbove") * height
     light = light + constant(text, "kWall") * smoothstep(0.1, 1, direction[:, 2])[:, None]
@@ -52,9 +52,11 @@ def even_directions(count):
 
 
 def terms(normal):
-    """Returns TERMS, n x 9, of n normals: the polynomials of second order on the sphere."""
+    """Returns TERMS, n x 10, of n normals: the polynomials of second order on the sphere, and one of fourth order."""
     x, y, z = normal.T
-    return np.stack([np.ones_like(x), x, y, z, x * y, y * z, z * x, x * x - y * y, 3 * z * z - 1], -1)
+    key = (normal @ constant(read("studio_scatter.glsl"), "kKeyDirection")) ** 2
+    fourth = (4.375 * key - 3.75) * key + 0.375
+    return np.stack([np.ones_like(x), x, y, z, x * y, y * z, z * x, x * x - y * y, 3 * z * z - 1, fourth], -1)
 
 
 def scattered(normal, directions):
@@ -65,7 +67,7 @@ def scattered(normal, directions):
 
 
 def fitted(directions=400000, normals=2000):
-    """Returns the constants, 9 x 3, whose polynomial is nearest to the scattered light, and how far off it is."""
+    """Returns the constants, 10 x 3, whose polynomial is nearest to the scattered light, and how far off it is."""
     normal = even_directions(normals)
     light = scattered(normal, directions)
     constants = np.linalg.lstsq(terms(normal), light, rcond=None)[0]

@@ -42,6 +42,20 @@ function boxOf({area, cage, matrix}) {
   return {x, y, width: right - x, height: bottom - y};
 }
 
+/** Returns a cover's picture, whose alpha is the share that isn't gold, as withGold() of book_textures.cpp finds it. */
+function withGold(picture) {
+  const {width, height} = picture, canvas = Object.assign(document.createElement("canvas"), {width, height});
+  const context = canvas.getContext("2d", {willReadFrequently: true}), within = (share) => Math.min(Math.max(share, 0), 1);
+  context.drawImage(picture, 0, 0);
+  const made = context.getImageData(0, 0, width, height), {data} = made;
+  const light = Array.from({length: 256}, (_, i) => ((0.305306 * i / 255 + 0.682171) * i / 255 + 0.012523) * i / 255);
+  for (let i = 0; i < data.length; i += 4) {
+    const red = light[data[i]], green = light[data[i + 1]], blue = light[data[i + 2]];
+    data[i + 3] = 255 * (1 - within(5.5 * (green - 0.35 * red)) * within(6 * (0.5 * red - blue)));
+  }
+  return made;
+}
+
 /** A program of shaders, and the places of its uniforms. */
 class Shaders {
   /** Has the program made, without waiting for it: browsers make several at once. */
@@ -99,7 +113,7 @@ class BookView {
     this.#makeGeometry(mesh);
     this.textures = {};
     this.white = null;
-    for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");
+    for (const [name, picture] of Object.entries(pictures)) this.textures[name] = name === "paper" ? this.#texture(picture, true) : this.#texture(withGold(picture), false);
     this.noVertices = gl.createVertexArray();
     this.#makeLayers();
     this.setCloth(null);
@@ -315,7 +329,6 @@ class BookView {
     this.#use(this.cover, book);
     gl.uniform3fv(this.cover.place("eye"), book.eye);
     gl.uniform3fv(this.cover.place("beside"), [0.52, 0.45, 0.33]);
-    gl.uniform1i(this.cover.place("plainCloth"), this.cloth ? 1 : 0);
     for (const part of ["front", "spine", "back"]) this.#drawPart(part, this.cloth ?? this.textures[part]);
     if (winding === 0) this.#drawPart("lining", this.cloth ?? this.textures.front);
     this.#use(this.paper, book);

@@ -12,8 +12,6 @@
 namespace rotatebook::image {
 namespace {
 
-constexpr std::size_t kChannels = 3;
-
 int half(int length) {
   return std::max(1, length / 2);
 }
@@ -45,18 +43,53 @@ std::uint32_t sumOfShares(const std::vector<Covered>& side) {
   return side[0].shares[0] + side[0].shares[1] + side[0].shares[2];
 }
 
+/// Returns a value of a pixel in linear light; alpha is in proportion to it already.
+std::uint32_t linearOf(std::uint8_t value, std::size_t channel) {
+  constexpr std::uint32_t kSteps = kMaxLinear / 255;
+  return channel < 3 ? linearFromSrgb(value) : kSteps * value;
+}
+
+std::uint8_t valueOf(std::uint64_t linear, std::size_t channel) {
+  constexpr std::uint32_t kSteps = kMaxLinear / 255;
+  if (channel < 3) return srgbFromLinear(static_cast<std::uint32_t>(linear));
+  return static_cast<std::uint8_t>((linear + kSteps / 2) / kSteps);
+}
+
 /// Sums the covered rows in linear light, weighted by their shares, sample by sample.
+template <std::size_t kChannels>
 void addRows(const ImageView& large, const Covered& rows, std::vector<std::uint32_t>& linear) {
   const int step = bytesPerPixel(large.format);
   std::ranges::fill(linear, 0);
   for (std::size_t i = 0; i < rows.count; ++i) {
     const std::uint8_t* pixel = large.row(static_cast<int>(rows.first + i));
     for (std::size_t at = 0; at < linear.size(); at += kChannels, pixel += step) {
+      for (std::size_t channel = 0; channel < kChannels; ++channel)
+        linear[at + channel] += rows.shares[i] * linearOf(pixel[channel], channel);
+    }
+  }
+}
+
+template <std::size_t kChannels>
+Image halved(const ImageView& large) {
+  Image picture(half(large.width), half(large.height),
+                kChannels == 3 ? PixelFormat::Rgb8 : PixelFormat::Rgba8);
+  const std::vector<Covered> columns = coveredBy(large.width), rows = coveredBy(large.height);
+  const std::uint64_t all = std::uint64_t{sumOfShares(columns)} * sumOfShares(rows);
+  std::vector<std::uint32_t> linear(kChannels * static_cast<std::size_t>(large.width));
+  for (int y = 0; y < picture.height(); ++y) {
+    addRows<kChannels>(large, rows[static_cast<std::size_t>(y)], linear);
+    std::uint8_t* out = picture.row(y);
+    for (const Covered& column : columns) {
       for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        linear[at + channel] += rows.shares[i] * linearFromSrgb(pixel[channel]);
+        std::uint64_t sum = all / 2;
+        for (std::size_t i = 0; i < column.count; ++i) {
+          sum += std::uint64_t{column.shares[i]} * linear[kChannels * (column.first + i) + channel];
+        }
+        *out++ = valueOf(sum / all, channel);
       }
     }
   }
+  return picture;
 }
 
 }  // namespace
@@ -76,24 +109,11 @@ void downsample(const Image& large, int x, int y, int width, int height, Image& 
 }
 
 Image downsampledOpaque(const ImageView& large) {
-  Image picture(half(large.width), half(large.height), PixelFormat::Rgb8);
-  const std::vector<Covered> columns = coveredBy(large.width), rows = coveredBy(large.height);
-  const std::uint64_t all = std::uint64_t{sumOfShares(columns)} * sumOfShares(rows);
-  std::vector<std::uint32_t> linear(kChannels * static_cast<std::size_t>(large.width));
-  for (int y = 0; y < picture.height(); ++y) {
-    addRows(large, rows[static_cast<std::size_t>(y)], linear);
-    std::uint8_t* out = picture.row(y);
-    for (const Covered& column : columns) {
-      for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        std::uint64_t sum = all / 2;
-        for (std::size_t i = 0; i < column.count; ++i) {
-          sum += std::uint64_t{column.shares[i]} * linear[kChannels * (column.first + i) + channel];
-        }
-        *out++ = srgbFromLinear(static_cast<std::uint32_t>(sum / all));
-      }
-    }
-  }
-  return picture;
+  return halved<3>(large);
+}
+
+Image downsampledApart(const ImageView& large) {
+  return halved<4>(large);
 }
 
 }  // namespace rotatebook::image

@@ -14,5 +14,8 @@ void downsample(const Image& large, int x, int y, int width, int height, Image& 
 /// side, rounded down but at least 1. Each pixel is the mean in linear light of those it covers,
 /// some of which count in part where a side is odd.
 Image downsampledOpaque(const ImageView& large);
+/// Returns `large` (Rgba8) likewise, as Rgba8: alpha is the mean of what is covered, too, and
+/// weighs nothing.
+Image downsampledApart(const ImageView& large);
 
 }  // namespace rotatebook::image

@@ -83,5 +83,24 @@ TEST(HalvedOpaque, LeavesAlphaOut) {
   EXPECT_EQ(downsampledOpaque(clear.view()), red);
 }
 
+TEST(HalvedApart, TakesTheMeanOfAlphaWhichWeighsNothing) {
+  Image picture(2, 2, PixelFormat::Rgba8);
+  for (int i = 0; i < 4; ++i) {
+    std::uint8_t* pixel = picture.row(0) + 4 * i;
+    pixel[0] = i < 2 ? 255 : 0, pixel[3] = static_cast<std::uint8_t>(i == 0 ? 102 : 0);
+  }
+  Image mean(1, 1, PixelFormat::Rgba8);
+  mean.row(0)[0] = srgbFromLinear(0.5), mean.row(0)[3] = 26;
+  EXPECT_EQ(downsampledApart(picture.view()), mean);
+}
+
+TEST(HalvedApart, HasTheColoursOfTheOpaque) {
+  const Image large = grey(5, {255, 0, 3, 40, 0, 7, 99, 200, 1, 2});
+  Image apart(5, 2, PixelFormat::Rgba8);
+  for (int i = 0; i < 10; ++i) std::copy_n(large.row(0) + 3 * i, 3, apart.row(0) + 4 * i);
+  EXPECT_EQ(downsampledOpaque(downsampledApart(apart.view()).view()),
+            downsampledOpaque(downsampledOpaque(large.view()).view()));
+}
+
 }  // namespace
 }  // namespace rotatebook::image

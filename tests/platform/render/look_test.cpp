@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "image/comparison.h"
+#include "image/downsample.h"
 #include "image/srgb_formula.h"
 #include "render/drawing.h"
 
@@ -102,6 +103,18 @@ TEST(Look, PlainBackgroundsHaveTheirColourExactly) {
       EXPECT_EQ(alphaAt(picture, kLookWidth / 2, kLookHeight / 2), 255);
     }
   }
+}
+
+TEST(Look, GoldIsFoundByItsColour) {
+  const auto goldOf = [](const Rgb& colour) {
+    return 255 - withGold(plain(2, 2, {colour.red, colour.green, colour.blue})).row(1)[7];
+  };
+  EXPECT_EQ(goldOf({0xdc, 0xb2, 0x5c}), 255);  // Of the built-in cover, as are the next two.
+  EXPECT_EQ(goldOf({0x84, 0x18, 0x20}), 0);
+  EXPECT_EQ(goldOf({0xf5, 0xea, 0xd0}), 0);
+  EXPECT_EQ(goldOf({0xf0, 0x90, 0x10}), 0);  // Orange is none.
+  const image::Image side = plain(3, 2, {0xdc, 0xb2, 0x5c});
+  EXPECT_EQ(image::downsampledOpaque(withGold(side).view()), image::downsampledOpaque(side.view()));
 }
 
 // The colour of the stamped gold would be metal in a picture.

@@ -64,9 +64,9 @@ struct SampledBook::Parts {
               {paperFragmentShader(), toneCurveFragmentShader()}),
         oneSample("sample", wholePictureVertexShader(), {kOneSample}),
         geometry(geometry::makeBookMesh()),
-        front(textures.front.view(), kClamped),
-        spine(textures.spine.view(), kClamped),
-        back(textures.back.view(), kClamped),
+        front(coverTexture(textures.front)),
+        spine(coverTexture(textures.spine)),
+        back(coverTexture(textures.back)),
         leaves(image::decodePng(paperPng(), "built-in paper").view(), kRepeated),
         scatteredBy(scatteredByCover(textures.front)) {}
 

@@ -23,7 +23,7 @@ using Materials = std::vector<std::size_t>;  // Their indices, by part of the me
 
 constexpr int kLongestSide = 1024;  // Of the book's pictures. [pixels]
 constexpr int kQuality = 78;        // Of them as JPEG.
-constexpr int kGoldQuality = 40;
+constexpr int kGoldQuality = 32;
 constexpr float kPaperRoughness = 1;
 
 /// Returns a picture's PNG or JPEG, whichever is smaller.
@@ -52,7 +52,7 @@ std::size_t addPrinted(const char* name, image::Image picture, float roughness, 
 Materials addMaterials(const render::BookTextures& cover, ExportedBody& body) {
   const auto cloth = [&](const char* name, const image::Image& picture) {
     const std::size_t added = addPrinted(name, picture, kClothRoughness, body::Wrap::Clamp, body);
-    if (const auto gold = goldPicture(madeSmall(picture))) {
+    if (const auto gold = goldPicture(picture, kLongestSide / 2)) {
       body.pictures.push_back(
           {smallFileOf(*gold, kGoldQuality), {body::Wrap::Clamp, body::Wrap::Clamp}});
       body.materials[added].metalness = 1;

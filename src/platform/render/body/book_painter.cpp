@@ -20,6 +20,10 @@ Eigen::Vector3f scatteredByCover(const image::Image& front) {
   return (Eigen::Vector3f(pixel[0], pixel[1], pixel[2]) / 255).cwiseAbs2();
 }
 
+Texture coverTexture(const image::Image& side) {
+  return {withGold(side).view(), kClamped, TextureContent::ColourAndNumber};
+}
+
 BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail detail)
     : mesh_(geometry::makeBookMesh(detail)),
       coverProgram_(
@@ -29,9 +33,9 @@ BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail deta
                     {paperFragmentShader(), toneCurveFragmentShader()}),
       geometry_(mesh_),
       scatteredByCover_(scatteredByCover(textures.front)),
-      front_(textures.front.view(), kClamped),
-      spine_(textures.spine.view(), kClamped),
-      back_(textures.back.view(), kClamped),
+      front_(coverTexture(textures.front)),
+      spine_(coverTexture(textures.spine)),
+      back_(coverTexture(textures.back)),
       paper_(builtinPaper().view(), kRepeated) {}
 
 void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
@@ -50,10 +54,10 @@ void BookPainter::drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
   useFor(coverProgram_, drawn);
   coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
   coverProgram_.set("beside", kScatteredByLeaves);
-  drawCover(geometry::BookPart::Front, surfaces.front);
-  drawCover(geometry::BookPart::Spine, surfaces.spine);
-  drawCover(geometry::BookPart::Back, surfaces.back);
-  if (drawn.winding == 0) drawCover(geometry::BookPart::Lining, surfaces.front);
+  drawPart(geometry::BookPart::Front, surfaces.front);
+  drawPart(geometry::BookPart::Spine, surfaces.spine);
+  drawPart(geometry::BookPart::Back, surfaces.back);
+  if (drawn.winding == 0) drawPart(geometry::BookPart::Lining, surfaces.front);
   useFor(paperProgram_, drawn);
   paperProgram_.set("beside", surfaces.scatteredByCover);
   drawPart(geometry::BookPart::Pages, surfaces.paper);
@@ -67,9 +71,9 @@ void BookPainter::drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye)
   useFor(coverProgram_, drawn);
   coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
   coverProgram_.set("beside", kScatteredByLeaves);
-  drawCoverStrips(geometry::BookPart::Front, front_, drawn);
-  drawCoverStrips(geometry::BookPart::Spine, spine_, drawn);
-  drawCoverStrips(geometry::BookPart::Back, back_, drawn);
+  drawStripsOf(geometry::BookPart::Front, front_, drawn);
+  drawStripsOf(geometry::BookPart::Spine, spine_, drawn);
+  drawStripsOf(geometry::BookPart::Back, back_, drawn);
 }
 
 void BookPainter::drawPart(geometry::BookPart part, const Texture& texture) const {
@@ -77,21 +81,10 @@ void BookPainter::drawPart(geometry::BookPart part, const Texture& texture) cons
   geometry_.draw(indexOf(part));
 }
 
-void BookPainter::drawCover(geometry::BookPart part, const Texture& texture) const {
-  coverProgram_.set("plainCloth", texture.isPlain() ? 1 : 0);
-  drawPart(part, texture);
-}
-
 void BookPainter::drawStripsOf(geometry::BookPart part, const Texture& texture,
                                const DrawnBody& drawn) const {
   texture.bind();
   geometry_.drawStrips(indexOf(part), drawn.strips.onScreen);
-}
-
-void BookPainter::drawCoverStrips(geometry::BookPart part, const Texture& texture,
-                                  const DrawnBody& drawn) const {
-  coverProgram_.set("plainCloth", texture.isPlain() ? 1 : 0);
-  drawStripsOf(part, texture, drawn);
 }
 
 }  // namespace rotatebook::render

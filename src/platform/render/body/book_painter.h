@@ -14,6 +14,8 @@ namespace rotatebook::render {
 inline const Eigen::Vector3f kScatteredByLeaves(0.52F, 0.45F, 0.33F);
 /// Returns the share that a cover scatters onto the leaves: that of its foot, in the middle.
 Eigen::Vector3f scatteredByCover(const image::Image& front);
+/// Returns a side of the cover as the shader takes it, withGold().
+Texture coverTexture(const image::Image& side);
 
 /// The book: a cover of cloth with gold, and paper.
 class BookPainter final : public BodyPainter {
@@ -38,10 +40,7 @@ class BookPainter final : public BodyPainter {
   void drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
                  const Surfaces& surfaces) const;
   void drawPart(geometry::BookPart part, const Texture& texture) const;
-  void drawCover(geometry::BookPart part, const Texture& texture) const;
   void drawStripsOf(geometry::BookPart part, const Texture& texture, const DrawnBody& drawn) const;
-  void drawCoverStrips(geometry::BookPart part, const Texture& texture,
-                       const DrawnBody& drawn) const;
 
   geometry::Mesh mesh_;
   ShaderProgram coverProgram_, paperProgram_;

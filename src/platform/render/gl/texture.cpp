@@ -35,8 +35,13 @@ image::Image flippedVertically(image::ImageView picture) {
   return flipped;
 }
 
+GLint insideOf(TextureContent content) {
+  if (content == TextureContent::ColourAndNumber) return GL_SRGB8_ALPHA8;
+  return content == TextureContent::Colour ? GL_SRGB8 : GL_RGB8;
+}
+
 void upload(int level, const image::Image& picture, TextureContent content) {
-  const GLint inside = content == TextureContent::Colour ? GL_SRGB8 : GL_RGB8;
+  const GLint inside = insideOf(content);
   const GLenum format = picture.format() == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
   glTexImage2D(GL_TEXTURE_2D, level, inside, picture.width(), picture.height(), 0, format,
                GL_UNSIGNED_BYTE, picture.row(0));
@@ -65,8 +70,7 @@ void setFilters(const body::Sampling& sampling) {
 
 }  // namespace
 
-Texture::Texture(image::ImageView picture, const body::Sampling& sampling, TextureContent content)
-    : plain_(picture.width == 1 && picture.height == 1) {
+Texture::Texture(image::ImageView picture, const body::Sampling& sampling, TextureContent content) {
   refuseOversize(picture);
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -75,7 +79,8 @@ Texture::Texture(image::ImageView picture, const body::Sampling& sampling, Textu
   // Compute the mipmaps here: by the driver they take a third of a render's start, and differ
   // between drivers
   for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
-    level = image::downsampledOpaque(level.view());
+    level = content == TextureContent::ColourAndNumber ? image::downsampledApart(level.view())
+                                                       : image::downsampledOpaque(level.view());
     upload(i, level, content);
   }
   setFilters(sampling);

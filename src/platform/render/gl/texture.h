@@ -12,8 +12,9 @@ inline constexpr body::Sampling kClamped{body::Wrap::Clamp, body::Wrap::Clamp};
 
 /// The meaning of a texture's values.
 enum class TextureContent {
-  Colour,   ///< sRGB.
-  Numbers,  ///< Shares of 255.
+  Colour,           ///< sRGB.
+  ColourAndNumber,  ///< Likewise, and a share of 255 as alpha, which others have as 1. Rgba8 alone.
+  Numbers,          ///< Shares of 255.
 };
 
 /// A mipmapped texture, trilinearly filtered unless it has squares; its first row is at v = 1.
@@ -23,13 +24,10 @@ class Texture {
   Texture(image::ImageView picture, const body::Sampling& sampling,
           TextureContent content = TextureContent::Colour);
 
-  /// Returns whether it has the same colour throughout.
-  bool isPlain() const { return plain_; }
   void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
 
  private:
   GlTexture texture_;
-  bool plain_;
 };
 
 }  // namespace rotatebook::render

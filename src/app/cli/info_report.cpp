@@ -112,8 +112,7 @@ std::string spinText(const Spin& spin) {
   std::string line =
       fmt::format("{} rad/s ({} turns a second)", text(speed), text(speed / (2 * pi)));
   if (spin.equal == EqualMoments::All) return line;
-  const std::string off = degrees(spin.offAxis);
-  line += fmt::format(", {} degree{} from {}", off, off == "1" ? "" : "s",
+  line += fmt::format(", {} from {}", countText(degrees(spin.offAxis), "degree"),
                       axisText(spin.axes[spin.spunAxis]));
   return spin.equal == EqualMoments::None ? fmt::format("{}, {}", line, kAxes[spin.spunAxis])
                                           : line;

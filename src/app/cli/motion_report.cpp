@@ -57,8 +57,7 @@ std::string distanceText(const MotionSummary& summary) {
                           ? "the exact motion without dissipation"
                           : "the exact motion";
   if (farthest < 1) {
-    const std::string bound = roundedUp(farthest, 1);
-    return fmt::format("within {} degree{} of {}", bound, bound == "1" ? "" : "s", exact);
+    return fmt::format("within {} of {}", countText(roundedUp(farthest, 1), "degree"), exact);
   }
   const std::string text = fmt::format("up to {} degrees from {}",
                                        roundedUp(std::min(farthest, kHalfTurnDeg), 3), exact);

@@ -161,7 +161,11 @@ std::string filledIn(std::string_view text, const std::vector<NamedText>& values
 }
 
 std::string countText(std::int64_t count, std::string_view one) {
-  return std::to_string(count) + ' ' + std::string(one) + (count == 1 ? "" : "s");
+  return countText(std::to_string(count), one);
+}
+
+std::string countText(std::string_view number, std::string_view one) {
+  return std::string(number) + ' ' + std::string(one) + (number == "1" ? "" : "s");
 }
 
 std::string_view withoutByteOrderMark(std::string_view text) {

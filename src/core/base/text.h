@@ -47,6 +47,9 @@ std::string filledIn(std::string_view text, const std::vector<NamedText>& values
 /// Returns "1 frame" or "2 frames", for `one` "frame".
 std::string countText(std::int64_t count, std::string_view one);
 
+/// Returns the same of a number's text: "1 degree" or "0.5 degrees".
+std::string countText(std::string_view number, std::string_view one);
+
 /// Returns a size as "640x360".
 std::string sizeText(std::int64_t width, std::int64_t height);
 

@@ -30,6 +30,7 @@ constexpr double kMaxTiles = 1024;
 struct PanelRuns {
   MapPoints points;
   std::optional<double> interval;  // [s]
+  bool isIdleX{}, isIdleY{};       // whether all motions along the axis are one and the same
 
   /// Returns the run at a point; nullopt if there is none. What the closed form doesn't use is left
   /// out of it, so that points of the same motion can be told.
@@ -132,8 +133,8 @@ std::vector<double> MapRuns::Parts::overTime(const MapTile& tile, Stop stop) con
 std::vector<double> MapRuns::Parts::pointByPoint(const MapTile& tile, Stop stop) const {
   const PanelRuns& panel = panels[tile.panel];
   MapTile points = tile;
-  if (isIdle(map.x, panel, map)) points.width = 1;
-  if (isIdle(map.y, panel, map)) points.height = 1;
+  if (panel.isIdleX) points.width = 1;
+  if (panel.isIdleY) points.height = 1;
   const std::vector<double> values = ofPoints(points, stop);
   std::vector<double> all;
   for (int y = 0; y < tile.height; ++y) {
@@ -180,7 +181,10 @@ MapRuns::MapRuns(const scene::Scene& scene)
           Parts{*scene.map, {scene.map->measure, scene.map->moment, durationOf(scene)}})) {
   requireSameLayout();
   for (const scene::Panel& panel : scene.motions) {
-    parts_->panels.push_back({MapPoints(panel.motion(), *scene.map), scene.map->interval});
+    PanelRuns runs{MapPoints(panel.motion(), *scene.map), scene.map->interval};
+    runs.isIdleX = isIdle(scene.map->x, runs, *scene.map);
+    runs.isIdleY = isIdle(scene.map->y, runs, *scene.map);
+    parts_->panels.push_back(std::move(runs));
   }
 }
 
@@ -195,8 +199,8 @@ std::vector<MapTile> MapRuns::tiles() const {
   std::vector<MapTile> tiles;
   for (std::size_t panel = 0; panel < panels(); ++panel) {
     const PanelRuns& runs = parts_->panels[panel];
-    const int stepX = isIdle(map.x, runs, map) ? map.width : tileSide(map);
-    const int stepY = isIdle(map.y, runs, map) ? map.height : tileSide(map);
+    const int stepX = runs.isIdleX ? map.width : tileSide(map);
+    const int stepY = runs.isIdleY ? map.height : tileSide(map);
     for (int bottom = 0; bottom < map.height; bottom += stepY) {
       for (int left = 0; left < map.width; left += stepX) {
         tiles.push_back({panel, left, bottom, std::min(stepX, map.width - left),

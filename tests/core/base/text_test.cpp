@@ -46,6 +46,8 @@ TEST(CountText, HasAnSButOfOne) {
   EXPECT_EQ(countText(0, "frame"), "0 frames");
   EXPECT_EQ(countText(1, "frame"), "1 frame");
   EXPECT_EQ(countText(-12, "degree"), "-12 degrees");
+  EXPECT_EQ(countText("1", "degree"), "1 degree");
+  EXPECT_EQ(countText("0.5", "degree"), "0.5 degrees");
 }
 
 TEST(SizeText, IsWidthAndHeight) {

@@ -111,7 +111,8 @@ struct Renderer::Parts {
   void requireDrawing(const BodyPainter& painter) const {
     const geometry::PixelRect middle{width / 2, height / 2, 1, 1};
     target.begin(middle);
-    painter.drawTest(closeBody(width, height), settings.camera.position);
+    const DrawnBody close = closeBody(width, height);
+    painter.drawTest({&close, settings.camera.position, whole()});
     const int drawn = target.alphaAt(middle.x, middle.y);
     target.begin(middle);
     const int cleared = target.alphaAt(middle.x, middle.y);
@@ -144,8 +145,9 @@ struct Renderer::Parts {
     for (const Body& each : bodies) {
       for (const auto pixels : {FrameTarget::Pixels::Exact, FrameTarget::Pixels::Picture}) {
         const FrameTarget frame(kTestSize.width, kTestSize.height, pixels);
-        frame.begin({0, 0, kTestSize.width, kTestSize.height});
-        each.painter->drawTest(body, kTestEye);
+        const geometry::PixelRect all{0, 0, kTestSize.width, kTestSize.height};
+        frame.begin(all);
+        each.painter->drawTest({&body, kTestEye, all});
         sum.add(frame.bytes());
       }
     }
@@ -153,15 +155,27 @@ struct Renderer::Parts {
     return sum.text();
   }
 
+  geometry::PixelRect whole() const { return {0, 0, width, height}; }
+
   const BodyPainter& painterOf(const DrawnBody& drawn) const { return *bodies[drawn.look].painter; }
 
-  void drawStrips(DrawnBody& drawn) const {
+  /// Draws a body that is projected, and touches `area` alone.
+  void draw(DrawnBody& drawn, const geometry::PixelRect& area) const {
+    const Eigen::Vector3d& eye = settings.camera.position;
+    const PlacedBody placed{&drawn, eye, whole()};
+    target.begin(area);
+    painterOf(drawn).draw({&placed, 1});
+    drawStrips(drawn, eye);
+    target.readBack(drawn.bands, drawn.pixels);
+  }
+
+  void drawStrips(DrawnBody& drawn, const Eigen::Vector3d& eye) const {
     image::Image& colours = drawn.strips.colours;
     if (colours.height() == 0) return;
     const geometry::PixelRect all{0, 0, colours.width(), colours.height()};
+    const PlacedBody placed{&drawn, eye, all};
     stripTarget->begin(all);
-    stripTarget->restrictTo(all);
-    painterOf(drawn).drawStrips(drawn, settings.camera.position);
+    painterOf(drawn).drawStrips({&placed, 1});
     stripTarget->readBack({&all, 1}, all, colours);
   }
 
@@ -187,21 +201,27 @@ struct Renderer::Parts {
     if (!cells || cells->count() < drawn.size())
       cells.emplace(drawn.size(), width, height, std::max(stripCount(), 1));
     cells->pixels.begin(cells->all(cells->pixelCells));
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (drawn[i].bands.empty()) continue;
-      cells->pixels.restrictTo(cells->pixelCells[i]);
-      painterOf(drawn[i]).draw(drawn[i], cameras[i].position);
-    }
+    for (std::size_t look = 0; look < bodies.size(); ++look)
+      bodies[look].painter->draw(placedIn(cells->pixelCells, look, cameras, drawn));
     cells->strips.begin(cells->all(cells->stripCells));
+    for (std::size_t look = 0; look < bodies.size(); ++look)
+      bodies[look].painter->drawStrips(placedIn(cells->stripCells, look, cameras, drawn));
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (drawn[i].bands.empty()) continue;
-      cells->strips.restrictTo(cells->stripCells[i]);
-      painterOf(drawn[i]).drawStrips(drawn[i], cameras[i].position);
+      if (!drawn[i].bands.empty()) readBackCell(i, drawn[i]);
     }
+  }
+
+  /// Returns the bodies of a look that are to be drawn.
+  static std::vector<PlacedBody> placedIn(const std::vector<geometry::PixelRect>& places,
+                                          std::size_t look,
+                                          std::span<const geometry::Camera> cameras,
+                                          std::span<const DrawnBody> drawn) {
+    std::vector<PlacedBody> placed;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (drawn[i].bands.empty()) continue;
-      readBackCell(i, drawn[i]);
+      if (drawn[i].look == look && !drawn[i].bands.empty())
+        placed.push_back({&drawn[i], cameras[i].position, places[i]});
     }
+    return placed;
   }
 
   void readBackCell(std::size_t cell, DrawnBody& drawn) const {
@@ -272,13 +292,9 @@ void Renderer::draw(std::size_t look, const body::Cage& cage, image::Image& pict
 
 void Renderer::draw(const body::Cage& cage, DrawnBody& body) {
   parts_->drawBackground(body);
-  const geometry::Camera& camera = parts_->settings.camera;
-  const geometry::PixelRect area = parts_->project(cage, camera, body);
+  const geometry::PixelRect area = parts_->project(cage, parts_->settings.camera, body);
   if (area.width == 0) return;
-  parts_->target.begin(area);
-  parts_->painterOf(body).draw(body, camera.position);
-  parts_->drawStrips(body);
-  parts_->target.readBack(body.bands, body.pixels);
+  parts_->draw(body, area);
   requireNoGlError("while drawing a frame");
 }
 

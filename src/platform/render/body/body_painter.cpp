@@ -2,16 +2,15 @@
 
 namespace rotatebook::render {
 
-void prepareToDraw(const DrawnBody& drawn) {
+void prepareToDraw(const PlacedBody& body, const ShaderProgram& program) {
+  const auto& [drawn, eye, picture] = body;
+  glViewport(picture.x, picture.y, picture.width, picture.height);
   glEnable(GL_DEPTH_TEST);
-  drawn.winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-  glFrontFace(drawn.winding < 0 ? GL_CW : GL_CCW);
-}
-
-void useFor(const ShaderProgram& program, const DrawnBody& drawn) {
-  program.use();
-  program.set("cage", Eigen::Matrix<float, 3, 8>(drawn.cage.cast<float>()));
-  program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
+  drawn->winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+  glFrontFace(drawn->winding < 0 ? GL_CW : GL_CCW);
+  program.set("cage", Eigen::Matrix<float, 3, 8>(drawn->cage.cast<float>()));
+  program.set("clipFromWorld", Eigen::Matrix4f(drawn->clipFromWorld.cast<float>()));
+  program.set("eye", Eigen::Vector3f(eye.cast<float>()));
 }
 
 }  // namespace rotatebook::render

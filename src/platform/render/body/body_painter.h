@@ -1,17 +1,26 @@
-// The interface for drawing one body with OpenGL. Inside the room only.
+// The interface for drawing bodies of one look with OpenGL. Inside the room only.
 #pragma once
+
+#include <span>
 
 #include <Eigen/Core>
 
-#include "body/cuboid.h"
+#include "geometry/hull_bands.h"
 #include "geometry/mesh.h"
 #include "render/drawn_body.h"
 #include "render/gl/shader_program.h"
 
 namespace rotatebook::render {
 
-/// Draws a body, projected as a DrawnBody says, into the frame buffer that is bound. `eye`: the
-/// camera's position, world. [m]
+/// A body, projected as a DrawnBody says, and its place in the frame buffer that is bound.
+struct PlacedBody {
+  const DrawnBody* drawn = nullptr;
+  Eigen::Vector3d eye;  ///< The camera's position, world. [m]
+  geometry::PixelRect
+      picture;  ///< The place of its picture, outside which nothing is drawn. [pixels]
+};
+
+/// Draws bodies, several part by part: OpenGL takes long to change a texture or a program.
 class BodyPainter {
  public:
   BodyPainter() = default;
@@ -20,18 +29,17 @@ class BodyPainter {
   virtual ~BodyPainter() = default;
 
   virtual const geometry::Mesh& mesh() const = 0;
-  /// Draws the body's triangles. Sets the state that it relies on.
-  virtual void draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const = 0;
-  /// Draws its narrow strips as rows of a picture of all strips. Relies on the state of draw().
-  virtual void drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye) const = 0;
+  /// Draws the bodies' triangles.
+  virtual void draw(std::span<const PlacedBody> bodies) const = 0;
+  /// Draws their narrow strips, each body's as rows of a picture of all strips.
+  virtual void drawStrips(std::span<const PlacedBody> bodies) const = 0;
   /// Draws a body that fills its cage, with a pattern of which no two neighbours are alike, by the
   /// shaders of draw().
-  virtual void drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const = 0;
+  virtual void drawTest(const PlacedBody& body) const = 0;
 };
 
-/// Sets the state in which bodies are drawn.
-void prepareToDraw(const DrawnBody& drawn);
-/// Uses a program that begins with body.vert.
-void useFor(const ShaderProgram& program, const DrawnBody& drawn);
+/// Sets all the state in which a body is drawn, with `program`, which begins with body.vert and is
+/// in use.
+void prepareToDraw(const PlacedBody& body, const ShaderProgram& program);
 
 }  // namespace rotatebook::render

@@ -38,53 +38,55 @@ BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail deta
       back_(coverTexture(textures.back)),
       paper_(builtinPaper().view(), kRepeated) {}
 
-void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  drawParts(drawn, eye, {front_, spine_, back_, paper_, scatteredByCover_});
+void BookPainter::draw(std::span<const PlacedBody> bodies) const {
+  drawParts(bodies, {front_, spine_, back_, paper_, scatteredByCover_});
 }
 
-void BookPainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+void BookPainter::drawTest(const PlacedBody& body) const {
   const Texture pattern(testPattern().view(), kRepeated);
-  drawParts(drawn, eye, {pattern, pattern, pattern, pattern, Eigen::Vector3f::Zero()});
+  drawParts({&body, 1}, {pattern, pattern, pattern, pattern, Eigen::Vector3f::Zero()});
 }
 
-void BookPainter::drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
-                            const Surfaces& surfaces) const {
-  prepareToDraw(drawn);
+void BookPainter::drawParts(std::span<const PlacedBody> bodies, const Surfaces& surfaces) const {
   geometry_.bind();
-  useFor(coverProgram_, drawn);
-  coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
-  coverProgram_.set("beside", kScatteredByLeaves);
-  drawPart(geometry::BookPart::Front, surfaces.front);
-  drawPart(geometry::BookPart::Spine, surfaces.spine);
-  drawPart(geometry::BookPart::Back, surfaces.back);
-  if (drawn.winding == 0) drawPart(geometry::BookPart::Lining, surfaces.front);
-  useFor(paperProgram_, drawn);
-  paperProgram_.set("beside", surfaces.scatteredByCover);
-  drawPart(geometry::BookPart::Pages, surfaces.paper);
+  eachPart(surfaces, [&](geometry::BookPart part, const ShaderProgram& program) {
+    for (const PlacedBody& body : bodies) {
+      if (part == geometry::BookPart::Lining && body.drawn->winding != 0) continue;
+      prepareToDraw(body, program);
+      geometry_.draw(indexOf(part));
+    }
+  });
 }
 
-void BookPainter::drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+void BookPainter::drawStrips(std::span<const PlacedBody> bodies) const {
   geometry_.bindStrips();
-  useFor(paperProgram_, drawn);
-  paperProgram_.set("beside", scatteredByCover_);
-  drawStripsOf(geometry::BookPart::Pages, paper_, drawn);
-  useFor(coverProgram_, drawn);
-  coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+  const Surfaces surfaces{front_, spine_, back_, paper_, scatteredByCover_};
+  eachPart(surfaces, [&](geometry::BookPart part, const ShaderProgram& program) {
+    for (const PlacedBody& body : bodies) {
+      const std::vector<ScreenStrip>& strips = body.drawn->strips.onScreen;
+      if (!geometry_.hasNarrowStrips(indexOf(part), strips)) continue;
+      prepareToDraw(body, program);
+      geometry_.drawStrips(indexOf(part), strips);
+    }
+  });
+}
+
+template <typename Draw>
+void BookPainter::eachPart(const Surfaces& surfaces, const Draw& draw) const {
+  const auto drawPart = [&](geometry::BookPart part, const ShaderProgram& program,
+                            const Texture& texture) {
+    texture.bind();
+    draw(part, program);
+  };
+  coverProgram_.use();
   coverProgram_.set("beside", kScatteredByLeaves);
-  drawStripsOf(geometry::BookPart::Front, front_, drawn);
-  drawStripsOf(geometry::BookPart::Spine, spine_, drawn);
-  drawStripsOf(geometry::BookPart::Back, back_, drawn);
-}
-
-void BookPainter::drawPart(geometry::BookPart part, const Texture& texture) const {
-  texture.bind();
-  geometry_.draw(indexOf(part));
-}
-
-void BookPainter::drawStripsOf(geometry::BookPart part, const Texture& texture,
-                               const DrawnBody& drawn) const {
-  texture.bind();
-  geometry_.drawStrips(indexOf(part), drawn.strips.onScreen);
+  drawPart(geometry::BookPart::Front, coverProgram_, surfaces.front);
+  drawPart(geometry::BookPart::Spine, coverProgram_, surfaces.spine);
+  drawPart(geometry::BookPart::Back, coverProgram_, surfaces.back);
+  drawPart(geometry::BookPart::Lining, coverProgram_, surfaces.front);
+  paperProgram_.use();
+  paperProgram_.set("beside", surfaces.scatteredByCover);
+  drawPart(geometry::BookPart::Pages, paperProgram_, surfaces.paper);
 }
 
 }  // namespace rotatebook::render

@@ -1,6 +1,8 @@
 // Draws the book with OpenGL. Inside the room only.
 #pragma once
 
+#include <span>
+
 #include "geometry/book_mesh.h"
 #include "render/body/body_painter.h"
 #include "render/body/mesh_geometry.h"
@@ -23,9 +25,9 @@ class BookPainter final : public BodyPainter {
   BookPainter(const BookTextures& textures, geometry::MeshDetail detail);
 
   const geometry::Mesh& mesh() const override { return mesh_; }
-  void draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const override;
-  void drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye) const override;
-  void drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const override;
+  void draw(std::span<const PlacedBody> bodies) const override;
+  void drawStrips(std::span<const PlacedBody> bodies) const override;
+  void drawTest(const PlacedBody& body) const override;
 
  private:
   /// The textures of the parts of a book.
@@ -37,10 +39,10 @@ class BookPainter final : public BodyPainter {
     Eigen::Vector3f scatteredByCover;
   };
 
-  void drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
-                 const Surfaces& surfaces) const;
-  void drawPart(geometry::BookPart part, const Texture& texture) const;
-  void drawStripsOf(geometry::BookPart part, const Texture& texture, const DrawnBody& drawn) const;
+  void drawParts(std::span<const PlacedBody> bodies, const Surfaces& surfaces) const;
+  /// Calls draw(part, program) for each part once its program and texture are in use.
+  template <typename Draw>
+  void eachPart(const Surfaces& surfaces, const Draw& draw) const;
 
   geometry::Mesh mesh_;
   ShaderProgram coverProgram_, paperProgram_;

@@ -115,6 +115,14 @@ void MeshGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) 
   describeAttribute(6, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
+bool MeshGeometry::hasNarrowStrips(std::size_t part,
+                                   const std::vector<ScreenStrip>& onScreen) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].part == part && onScreen[i].narrow) return true;
+  }
+  return false;
+}
+
 void MeshGeometry::drawStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const {
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;

@@ -21,10 +21,12 @@ class MeshGeometry {
   /// Draws one part, by its index, with the program in use.
   void draw(std::size_t part) const;
 
+  /// Returns whether a part has narrow strips. `onScreen`: by strip number.
+  bool hasNarrowStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const;
   /// Binds the strips' vertices for drawStrips().
   void bindStrips() const { glBindVertexArray(stripArray_.name()); }
   /// Draws the middle lines of a part's narrow strips as rows of a picture of all strips, with the
-  /// program in use. `onScreen`: by strip number.
+  /// program in use.
   void drawStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const;
 
  private:

@@ -54,30 +54,32 @@ SurfacePainter::SurfacePainter(const SurfaceLook& look)
       colours_(texturesOf(look, &body::Material::baseColourImage, TextureContent::Colour)),
       numbers_(texturesOf(look, &body::Material::metalRoughnessImage, TextureContent::Numbers)) {}
 
-void SurfacePainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  begin(drawn, eye);
+void SurfacePainter::draw(std::span<const PlacedBody> bodies) const {
+  begin();
   geometry_.bind();
   for (std::size_t part = 0; part < materials_.size(); ++part) {
     if (mesh_.parts[part].triangles.empty()) continue;
     useMaterial(materials_[part]);
-    geometry_.draw(part);
+    for (const PlacedBody& body : bodies) {
+      prepareToDraw(body, program_);
+      geometry_.draw(part);
+    }
   }
 }
 
-void SurfacePainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+void SurfacePainter::drawTest(const PlacedBody& body) const {
   const Texture pattern(testPattern().view(), kRepeated);
-  begin(drawn, eye);
+  begin();
   testGeometry_.bind();
   useMaterial(
       {.metalness = 0.5F, .grain = {size_ / 16, 0.5F, static_cast<float>(size_.x() / 100)}});
   pattern.bind();
+  prepareToDraw(body, program_);
   testGeometry_.draw(0);
 }
 
-void SurfacePainter::begin(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
-  prepareToDraw(drawn);
-  useFor(program_, drawn);
-  program_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+void SurfacePainter::begin() const {
+  program_.use();
   program_.set("albedo", 0);
   program_.set("metalRoughness", 1);
 }

@@ -17,13 +17,13 @@ class SurfacePainter final : public BodyPainter {
   explicit SurfacePainter(const SurfaceLook& look);
 
   const geometry::Mesh& mesh() const override { return mesh_; }
-  void draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const override;
-  /// It has none.
-  void drawStrips(const DrawnBody&, const Eigen::Vector3d&) const override {}
-  void drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const override;
+  void draw(std::span<const PlacedBody> bodies) const override;
+  /// They have none.
+  void drawStrips(std::span<const PlacedBody>) const override {}
+  void drawTest(const PlacedBody& body) const override;
 
  private:
-  void begin(const DrawnBody& drawn, const Eigen::Vector3d& eye) const;
+  void begin() const;
   void useMaterial(const body::Material& material) const;
 
   geometry::Mesh mesh_;

@@ -61,11 +61,6 @@ void FrameTarget::begin(const geometry::PixelRect& area) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void FrameTarget::restrictTo(const geometry::PixelRect& cell) const {
-  glViewport(cell.x, cell.y, cell.width, cell.height);
-  glScissor(cell.x, cell.y, cell.width, cell.height);
-}
-
 void FrameTarget::readBack(std::span<const geometry::PixelRect> areas,
                            image::Image& picture) const {
   readBack(areas, {0, 0, width_, height_}, picture);

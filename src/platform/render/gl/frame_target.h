@@ -23,8 +23,6 @@ class FrameTarget {
 
   /// Binds the frame buffer, restricts drawing to `area` and clears its colour, alpha and depth.
   void begin(const geometry::PixelRect& area) const;
-  /// Draws the whole picture into `cell` from now on, which begin() must have cleared.
-  void restrictTo(const geometry::PixelRect& cell) const;
   /// Copies `areas` of `cell` to the same positions in `picture` (Rgba8, of the cell's size).
   void readBack(std::span<const geometry::PixelRect> areas, const geometry::PixelRect& cell,
                 image::Image& picture) const;

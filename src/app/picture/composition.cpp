@@ -68,7 +68,9 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   }
   std::vector<overlay::MotionOverlays> overlays;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    overlay::Viewport viewport{.width = grid.width, .height = grid.height, .energyTop = energyTop};
+    const auto& [x, y] = grid.positions[i];
+    overlay::Viewport viewport{
+        .x = x, .y = y, .width = grid.width, .height = grid.height, .energyTop = energyTop};
     if (heads) {
       viewport.hasHead = true;
       viewport.letters = scene.grid ? 0 : panelLetters(scene);
@@ -135,8 +137,7 @@ Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& 
       grid_(below(heads_, gridOf(scene, margins_, captionAndClock_))),
       overlays_(overlaysOf(scene, motion, grid_, heads_, captionAndClock_)),
       screen_(screenOf(grid_, overlays_)),
-      background_(backgroundOf(scene, margins_)),
-      panel_(screen_.width, screen_.height, image::PixelFormat::Rgba8) {}
+      background_(backgroundOf(scene, margins_)) {}
 
 std::vector<scene::Overlay> Composition::leftOut() const {
   std::set<scene::Overlay> all;
@@ -145,23 +146,33 @@ std::vector<scene::Overlay> Composition::leftOut() const {
   return {all.begin(), all.end()};
 }
 
+void Composition::setBackground(const image::Image& ofBody) {
+  for (const auto& [x, y] : grid_.positions) image::paste(ofBody.view(), x, y, background_);
+  still_ = {};
+}
+
 void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {
-  if (grid_.positions.size() == 1) {
-    drawMotion(0, frame, drawBody, picture);
-  } else {
-    picture = background_;
-    for (std::size_t i = 0; i < grid_.positions.size(); ++i) {
-      drawMotion(i, frame, drawBody, panel_);
-      image::paste(panel_.view(), grid_.positions[i].x, grid_.positions[i].y, picture);
-    }
-    if (heads_) heads_->draw(frame, picture);
-  }
-  captionAndClock_.draw(frame, motion_->clockFrame(frame), picture);
+  setStill(frame);
+  picture.beginOn(background_);
+  for (std::size_t i = 0; i < grid_.positions.size(); ++i) drawMotion(i, frame, drawBody, picture);
+  if (heads_) heads_->draw(frame, picture);
+  captionAndClock_.drawCaptionOverTouched(picture);
+  picture.settle(still_);
+  captionAndClock_.drawClock(motion_->clockFrame(frame), picture);
+}
+
+void Composition::setStill(std::int64_t frame) {
+  const bool isOther = captionAndClock_.setCaption(frame);
+  if (!isOther && still_.width() > 0) return;
+  still_ = background_;
+  captionAndClock_.drawCaption(still_);
+  still_.mark();
 }
 
 void Composition::drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
                              image::Image& picture) {
-  const Eigen::Matrix4d clipFromWorld = drawBody(motion, motion_->sampleAt(motion, frame), picture);
+  const Eigen::Matrix4d clipFromWorld =
+      drawBody(motion, motion_->sampleAt(motion, frame), grid_.positions[motion], picture);
   overlays_[motion].draw(frame, clipFromWorld, picture);
 }
 

@@ -21,10 +21,12 @@
 
 namespace rotatebook::picture {
 
-/// Draws sample `sample` of motion `motion` over all of `picture`; returns the projection, world to
+/// Draws the body of motion `motion` at its sample `sample` into `picture`, whose screen() from
+/// `place` on shows the background, touching what it draws over; returns the projection, world to
 /// clip space, y down.
 using DrawBody =
-    std::function<Eigen::Matrix4d(std::size_t motion, std::size_t sample, image::Image& picture)>;
+    std::function<Eigen::Matrix4d(std::size_t motion, std::size_t sample,
+                                  const plot::PanelGrid::Position& place, image::Image& picture)>;
 
 /// Makes the text over the pictures of all motions together. Throws like overlay::CaptionAndClock.
 overlay::CaptionAndClock captionAndClockOf(const scene::Scene& scene);
@@ -44,12 +46,16 @@ class Composition {
   std::vector<scene::Overlay> leftOut() const;
   /// Returns overlay::CaptionAndClock::longCues().
   const std::vector<std::size_t>& longCues() const { return captionAndClock_.longCues(); }
-  /// Returns a picture of the clip's size with the background between panels.
+  /// Sets the background of bodies, a picture of screen()'s size; black before.
+  void setBackground(const image::Image& ofBody);
+  /// Returns a picture of the clip's size with the background.
   image::Image makePicture() const { return background_; }
-  /// Draws over all of `picture`, from makePicture(); `frame` is 0 to below motion.frameCount().
+  /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture);
 
  private:
+  /// Sets still_ to what it is at `frame`.
+  void setStill(std::int64_t frame);
   void drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
                   image::Image& picture);
 
@@ -60,8 +66,8 @@ class Composition {
   plot::PanelGrid grid_;                           // of the bodies' pictures
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
-  image::Image background_;  // visible between panels
-  image::Image panel_;
+  image::Image background_;  // of all bodies, and between panels
+  image::Image still_;       // The same with the caption; marked. Empty at first.
 };
 
 }  // namespace rotatebook::picture

@@ -35,6 +35,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
                                 &scene::MotionFrame::kind) > 0 ||
              camera_.moves()),
       hasText_(!scene.overlay.show.empty() || scene.hasPanels()) {
+  composition_->setBackground(renderer_.background());
   const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
 }
@@ -106,12 +107,13 @@ void FrameDrawer::turnTo(std::size_t motion, const physics::Sample& sample) {
 }
 
 void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
-  const DrawBody drawBody = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
+  const DrawBody drawBody = [&](std::size_t motion, std::size_t sample,
+                                const plot::PanelGrid::Position& place, image::Image& into) {
     if (!mean_) {
-      renderer_.compose(exposure.bodies[motion], panel);
+      renderer_.compose(exposure.bodies[motion], place.x, place.y, into);
       return exposure.bodies[motion].clipFromWorld;
     }
-    panel = exposure.blurred[motion];
+    image::paste(exposure.blurred[motion].view(), place.x, place.y, into);
     const body::Cage cage = cageOf(motion, sample);
     const geometry::Camera camera = cameraAt(motion, exposure.frame);
     return geometry::project(camera, cage, composition_->screen()).clipFromWorld;

@@ -94,13 +94,13 @@ Image halved(const ImageView& large) {
 
 }  // namespace
 
-void downsample(const Image& large, int x, int y, int width, int height, Image& picture) {
-  const auto left = static_cast<std::ptrdiff_t>(x);
-  for (int row = y; row < y + height; ++row) {
+void downsample(const Image& large, const Area& area, const Pixels& picture) {
+  const auto left = static_cast<std::ptrdiff_t>(area.x);
+  for (int row = area.y; row < area.bottom(); ++row) {
     const std::uint8_t* upper = large.row(2 * row) + 8 * left;
     const std::uint8_t* lower = large.row(2 * row + 1) + 8 * left;
     std::uint8_t* pixel = picture.row(row) + 4 * left;
-    for (int i = 0; i < width; ++i, upper += 8, lower += 8, pixel += 4) {
+    for (int i = 0; i < area.width; ++i, upper += 8, lower += 8, pixel += 4) {
       LinearAccumulator sum;
       for (const std::uint8_t* one : {upper, upper + 4, lower, lower + 4}) sum.add(one, 1);
       sum.mean(4, pixel);

@@ -5,10 +5,10 @@
 
 namespace rotatebook::image {
 
-/// Writes to each pixel of `picture` the mean in linear light of four pixels of `large`, weighted
-/// by their alpha, within the area whose top left pixel is (x, y). Both are Rgba8, `large` twice as
-/// wide and high. [pixels of `picture`]
-void downsample(const Image& large, int x, int y, int width, int height, Image& picture);
+/// Writes to each pixel of `area` the mean in linear light of four pixels of `large`, weighted by
+/// their alpha. Both are Rgba8, `large` twice as wide and high as the picture from whose top left
+/// `picture` is.
+void downsample(const Image& large, const Area& area, const Pixels& picture);
 
 /// Returns `large` (Rgb8, or Rgba8, whose alpha is ignored) as Rgb8 with half as many pixels a
 /// side, rounded down but at least 1. Each pixel is the mean in linear light of those it covers,

@@ -141,6 +141,18 @@ void blendRuns(const std::uint8_t* over, std::uint8_t* under, int count, int siz
   }
 }
 
+/// Blends what of `layer` is within `part`, an area of both.
+void blendPart(const Area& part, const LayerView& layer, Image& picture) {
+  const int size = bytesPerPixel(picture.format());
+  const auto blendRow = size == 4 ? &blendRowOverRgba : &blendRowOverRgb;
+  const std::ptrdiff_t left = part.x - layer.x;
+  for (int y = part.y; y < part.bottom(); ++y) {
+    blendRuns(layer.pixels + (y - layer.y) * layer.stride + left * 4,
+              picture.row(y) + static_cast<std::ptrdiff_t>(part.x) * size, part.width, size,
+              blendRow);
+  }
+}
+
 }  // namespace
 
 LayerView viewOf(const Layer& layer) {
@@ -153,18 +165,21 @@ LayerView viewOf(const Layer& layer) {
 }
 
 void blend(const LayerView& layer, Image& picture) {
-  const int size = bytesPerPixel(picture.format());
-  const int left = std::max(0, -layer.x);
-  const int right = std::min(layer.width, picture.width() - layer.x);
-  const int top = std::max(0, -layer.y);
-  const int bottom = std::min(layer.height, picture.height() - layer.y);
-  if (left >= right) return;
-  const auto blendRow = size == 4 ? &blendRowOverRgba : &blendRowOverRgb;
-  for (int y = top; y < bottom; ++y) {
-    blendRuns(layer.pixels + y * layer.stride + static_cast<std::ptrdiff_t>(left) * 4,
-              picture.row(layer.y + y) + static_cast<std::ptrdiff_t>(layer.x + left) * size,
-              right - left, size, blendRow);
-  }
+  blendWithin(picture.area(), layer, picture);
+}
+
+void blendWithin(const Area& area, const LayerView& layer, Image& picture) {
+  const Area part =
+      common({layer.x, layer.y, layer.width, layer.height}, common(area, picture.area()));
+  if (part.empty()) return;
+  picture.touch(part);
+  blendPart(part, layer, picture);
+}
+
+void blendOverTouched(const Layer& layer, Image& picture) {
+  const Area whole{layer.x, layer.y, layer.width, layer.height};
+  picture.forEachTouched(
+      whole, [&](const Area& tiles) { blendPart(common(whole, tiles), viewOf(layer), picture); });
 }
 
 }  // namespace rotatebook::image

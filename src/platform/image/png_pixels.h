@@ -13,8 +13,9 @@ namespace rotatebook::image {
 
 void appendBigEndian(std::string& bytes, std::uint32_t value);
 
-/// Packs pictures into zlib streams. Successive pictures are alike: a band of rows that equals the
-/// last picture's isn't packed again. The bytes depend on the picture alone.
+/// Packs pictures into zlib streams. Successive pictures are alike: tiles with the marks of the
+/// last picture's aren't filtered again, a band of rows that equals its isn't packed again. The
+/// bytes depend on the picture alone.
 ///
 /// Uses the filter Sub alone, which leaves most of the background zero: it varies slowly, and its
 /// dither from row to row alone. The filter Up took half as many bytes more.
@@ -32,13 +33,18 @@ class PixelPacker {
   };
 
   void packBands(const ImageView& view, bool alpha);
-  /// Filters rows `top` to `bottom` - 1 into filtered_.
-  void filterRows(const ImageView& view, bool alpha, int top, int bottom);
+  /// Filters the tiles of a band, which takes `area`, whose marks aren't the `known` ones; returns
+  /// whether its bytes have changed.
+  bool filterBand(const ImageView& view, bool alpha, const Area& area,
+                  const std::vector<std::uint64_t>& known, Band& band);
+  /// Likewise all pixels of `area` in the band from row `top` on.
+  bool filterArea(const ImageView& view, bool alpha, const Area& area, int top, Band& band);
   void appendBands(std::string& stream) const;
 
   BandCoder coder_;
-  std::vector<std::uint8_t> filtered_;
-  std::vector<Band> bands_;  // The last picture's.
+  std::vector<std::uint8_t> row_;     // Of an area, filtered.
+  std::vector<Band> bands_;           // The last picture's.
+  std::vector<std::uint64_t> marks_;  // Of the last picture; none if it had none.
 };
 
 }  // namespace rotatebook::image

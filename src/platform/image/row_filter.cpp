@@ -9,8 +9,6 @@
 namespace rotatebook::image {
 namespace {
 
-constexpr std::uint8_t kFilterSub = 1;  // PNG specification, section 9.2.
-
 /// Returns the eight bytes at `from`, the first one lowest.
 std::uint64_t loadWord(const std::uint8_t* from) {
   std::uint64_t word = 0;
@@ -66,28 +64,26 @@ constexpr auto subtractColours = &subtractColoursByBase;
 #endif
 
 void subtract(const std::uint8_t* row, std::size_t bytes, std::size_t pixel, std::uint8_t* out) {
-  std::copy_n(row, pixel, out);
-  for (std::size_t i = pixel; i < bytes; ++i)
-    out[i] = static_cast<std::uint8_t>(row[i] - row[i - pixel]);
+  for (std::size_t i = 0; i < bytes; ++i)
+    out[i] = static_cast<std::uint8_t>(row[i] - (row - pixel)[i]);
 }
 
 }  // namespace
 
-std::size_t filteredRowSize(const ImageView& view, bool alpha) {
-  return 1 + static_cast<std::size_t>(view.width) * (alpha ? 4 : 3);
-}
-
-std::uint8_t* filterRow(const ImageView& view, int y, bool alpha, std::uint8_t* out) {
-  const std::size_t bytes = filteredRowSize(view, alpha) - 1;
-  const int pixel = bytesPerPixel(view.format);
-  *out++ = kFilterSub;
-  if (pixel == 4 && !alpha) {
-    std::copy_n(view.row(y), 3, out);
-    subtractColours(view.row(y) + 4, view.width - 1, out + 3);
-  } else {
-    subtract(view.row(y), bytes, static_cast<std::size_t>(pixel), out);
+void filterPixels(const ImageView& view, int y, int left, int count, bool alpha,
+                  std::uint8_t* out) {
+  const int pixel = bytesPerPixel(view.format), kept = alpha ? 4 : 3;
+  const std::uint8_t* row = view.row(y) + static_cast<std::ptrdiff_t>(left) * pixel;
+  if (left == 0) {
+    out = std::copy_n(row, kept, out);
+    row += pixel;
+    --count;
   }
-  return out + bytes;
+  if (pixel == kept) {
+    subtract(row, static_cast<std::size_t>(count * pixel), static_cast<std::size_t>(pixel), out);
+  } else {
+    subtractColours(row, count, out);
+  }
 }
 
 }  // namespace rotatebook::image

@@ -8,14 +8,14 @@
 
 namespace rotatebook::image {
 
-/// Number of bytes that filterRow() may write past its row, for the next row to overwrite.
+/// The filter with which rows are stored: PNG specification, section 9.2.
+inline constexpr std::uint8_t kFilterSub = 1;
+
+/// Number of bytes that filterPixels() may write past its pixels.
 inline constexpr std::size_t kFilterOverrun = 8;
 
-/// Returns the size of a filtered row. [bytes]
-std::size_t filteredRowSize(const ImageView& view, bool alpha);
-
-/// Writes row `y` as a PNG stores it: the number of the filter Sub, then the pixels, RGB or if
-/// `alpha` RGBA, minus those to their left. Returns where the next row goes.
-std::uint8_t* filterRow(const ImageView& view, int y, bool alpha, std::uint8_t* out);
+/// Writes `count` pixels of row `y` from `left` on as a PNG stores them: RGB or if `alpha` RGBA,
+/// minus those to their left.
+void filterPixels(const ImageView& view, int y, int left, int count, bool alpha, std::uint8_t* out);
 
 }  // namespace rotatebook::image

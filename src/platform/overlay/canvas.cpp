@@ -38,13 +38,14 @@ Box hullOf(std::span<const Point> points) {
 }  // namespace
 
 struct Canvas::Parts {
-  Parts(int w, int h, const Ink& colours)
-      : width(w),
-        height(h),
+  Parts(const image::Area& area, const Ink& colours)
+      : place(area),
+        width(area.width),
+        height(area.height),
         ink(colours),
-        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4),
-        surface(
-            cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_ARGB32, w, h, w * 4)),
+        pixels(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4),
+        surface(cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_ARGB32, width,
+                                                    height, width * 4)),
         cairo(cairo_create(surface.get())) {
     round();
   }
@@ -127,6 +128,14 @@ struct Canvas::Parts {
     cairo_fill(cairo.get());
   }
 
+  /// Blends a layer over the canvas's place in a picture.
+  void blendOver(LayerView layer, image::Image& picture) const {
+    layer.x += place.x;
+    layer.y += place.y;
+    blendWithin(place, layer, picture);
+  }
+
+  image::Area place;  // In the picture.
   int width = 0, height = 0;
   Ink ink;
   image::ZeroedBytes pixels;
@@ -137,7 +146,9 @@ struct Canvas::Parts {
 };
 
 Canvas::Canvas(int width, int height, const Ink& ink)
-    : parts_(std::make_unique<Parts>(width, height, ink)) {}
+    : Canvas(image::Area{0, 0, width, height}, ink) {}
+Canvas::Canvas(const image::Area& panel, const Ink& ink)
+    : parts_(std::make_unique<Parts>(panel, ink)) {}
 Canvas::Canvas(_cairo* target) : parts_(std::make_unique<Parts>(target)) {}
 Canvas::~Canvas() = default;
 
@@ -214,13 +225,17 @@ void Canvas::paint(const Layer& layer, const Point& position) {
 
 void Canvas::layOver(image::Image& picture) {
   cairo_surface_flush(parts_->surface.get());
-  for (const Box& box : parts_->touched) blend(parts_->view(box), picture);
+  for (const Box& box : parts_->touched) parts_->blendOver(parts_->view(box), picture);
   parts_->clear();
 }
 
-void Canvas::lay(const CachedLayer& cached, image::Image& picture) {
+void Canvas::lay(const LayerView& layer, image::Image& picture) {
   if (!parts_->touched.empty()) layOver(picture);
-  blend(cached.layer, picture);
+  parts_->blendOver(layer, picture);
+}
+
+void Canvas::lay(const CachedLayer& cached, image::Image& picture) {
+  lay(viewOf(cached.layer), picture);
   parts_->texts.insert(parts_->texts.end(), cached.texts.begin(), cached.texts.end());
 }
 

@@ -27,13 +27,15 @@ struct Fill {
   double opacity = 1;
 };
 
-/// A transparent sheet of the picture's size. It is laid over the picture at once, and only where
-/// something was drawn. Use it on one thread.
+/// A transparent sheet of the size of a picture, or of a panel in one. It is laid over that at
+/// once, and only where something was drawn. Use it on one thread.
 class Canvas {
  public:
   /// Takes the picture's width and height, > 0 [pixels], and what turns the colours of lines and
   /// areas into those that are drawn.
   Canvas(int width, int height, const Ink& ink = {});
+  /// Takes the place of a panel in the picture. [pixels]
+  Canvas(const image::Area& panel, const Ink& ink);
   /// Draws with Cairo at once rather than on a sheet of its own: nothing is left to be laid.
   explicit Canvas(_cairo* target);
   ~Canvas();
@@ -58,9 +60,10 @@ class Canvas {
   /// Like write(), for an image without text.
   void paint(const Layer& layer, const Point& position);
 
-  /// Lays the drawing over `picture`, which has the canvas's size, and clears the canvas.
+  /// Lays the drawing over its place in `picture`, and clears the canvas.
   void layOver(image::Image& picture);
-  /// Lays the drawing, and `cached` above it, over `picture`.
+  /// Lays the drawing, and a layer above it, over its place in `picture`.
+  void lay(const LayerView& layer, image::Image& picture);
   void lay(const CachedLayer& cached, image::Image& picture);
   /// Returns the drawing and its texts() as a layer, and clears the canvas.
   CachedLayer take();

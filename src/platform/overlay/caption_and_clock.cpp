@@ -268,14 +268,13 @@ struct CaptionAndClock::Parts {
     return canvas.take();
   }
 
-  /// Returns the lines as `frame` shows them. They stay the same from one cue to the next.
-  const CachedLayer& captionOf(std::int64_t frame) {
+  /// Draws the lines as `frame` shows them, unless they are the same.
+  bool setCaption(std::int64_t frame) {
     const std::string& text = captionAt(scene, frame);
-    if (shownText != text) {
-      caption = written(text);
-      shownText = text;
-    }
-    return caption;
+    if (shownText == text) return false;
+    caption = written(text);
+    shownText = text;
+    return true;
   }
 
   std::string timeAt(std::int64_t frame) const {
@@ -335,10 +334,28 @@ const std::vector<std::size_t>& CaptionAndClock::longCues() const {
 }
 
 void CaptionAndClock::draw(std::int64_t frame, std::int64_t clockFrame, image::Image& picture) {
+  setCaption(frame);
+  drawCaption(picture);
+  drawClock(clockFrame, picture);
+}
+
+bool CaptionAndClock::setCaption(std::int64_t frame) {
+  const bool isOther = parts_->setCaption(frame);
+  parts_->texts = parts_->caption.texts;
+  return isOther;
+}
+
+void CaptionAndClock::drawCaption(image::Image& picture) {
   blend(parts_->background, picture);
-  const CachedLayer& caption = parts_->captionOf(frame);
-  blend(caption.layer, picture);
-  parts_->texts = caption.texts;
+  blend(parts_->caption.layer, picture);
+}
+
+void CaptionAndClock::drawCaptionOverTouched(image::Image& picture) {
+  blendOverTouched(parts_->background, picture);
+  blendOverTouched(parts_->caption.layer, picture);
+}
+
+void CaptionAndClock::drawClock(std::int64_t clockFrame, image::Image& picture) {
   if (parts_->clock.empty()) return;
   Layer clock =
       parts_->type.draw(parts_->timeAt(clockFrame), parts_->clockStyle, parts_->textWidth());

@@ -41,7 +41,16 @@ class CaptionAndClock {
   /// Draws likewise, with the clock of `clockFrame`.
   void draw(std::int64_t frame, std::int64_t clockFrame, image::Image& picture);
 
-  /// Returns a box for each text that the last draw() drew. [pixels]
+  // The steps of draw().
+  /// Sets the caption to that of `frame`; returns whether it was another one, or none.
+  bool setCaption(std::int64_t frame);
+  /// Draws all but the clock over `picture`.
+  void drawCaption(image::Image& picture);
+  /// Likewise over the tiles that were touched since Image::beginOn().
+  void drawCaptionOverTouched(image::Image& picture);
+  void drawClock(std::int64_t clockFrame, image::Image& picture);
+
+  /// Returns a box for each text that was drawn since setCaption(). [pixels]
   const std::vector<Box>& texts() const;
 
  private:

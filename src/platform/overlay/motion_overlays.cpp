@@ -49,7 +49,7 @@ struct MotionOverlays::Parts {
         scale(viewport.width, viewport.height, asked.overlay.scale),
         energyTop(viewport.energyTop),
         seenFrom(scene::referenceFramesOf(asked).front()),
-        canvas(viewport.width, viewport.height, Ink(asked)) {
+        canvas(image::Area{viewport.x, viewport.y, viewport.width, viewport.height}, Ink(asked)) {
     scale.enlargeLetters(viewport.letters);
     if (scene.textless) scale.line *= kBold;
     taken.push_back(viewport.corner);

@@ -18,8 +18,9 @@ class ArrowLabels;
 
 /// The picture on which a motion's overlays are drawn: a whole one, or a panel's.
 struct Viewport {
-  int width = 0;   ///< > 0 [pixels]
-  int height = 0;  ///< > 0 [pixels]
+  int x = 0, y = 0;  ///< Of a panel's top left pixel in the whole picture. [pixels]
+  int width = 0;     ///< > 0 [pixels]
+  int height = 0;    ///< > 0 [pixels]
   /// The box of other text at its top left corner, see CaptionAndClock::corner(). [pixels]
   Box corner{};
   int bottomRows = 0;  ///< Rows at its bottom that other text takes. [pixels]
@@ -56,8 +57,8 @@ class MotionOverlays {
   int bottomRows() const;
   /// Returns the overlays that overlay.show asks for and for which there is no room.
   const std::vector<scene::Overlay>& leftOut() const;
-  /// Draws over `picture`, of the viewport's size, which shows frame `frame` >= 0 in the camera's
-  /// frame of reference. `clipFromWorld` is its projection, y down.
+  /// Draws over the viewport in `picture`, which shows frame `frame` >= 0 in the camera's frame of
+  /// reference. `clipFromWorld` is its projection, y down.
   void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture);
 
   /// Returns a box for each text that the last draw() drew. [pixels]

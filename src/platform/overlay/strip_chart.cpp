@@ -138,7 +138,7 @@ class StripChart final : public DrawnOverlay {
     const double now = positionOf(view.frame, content_.low).x();
     LayerView past = viewOf(curves_.layer);
     past.width = std::clamp(static_cast<int>(std::ceil(now)) - past.x, 0, past.width);
-    blend(past, view.picture);
+    view.canvas.lay(past, view.picture);
     const Scale& scale = context_.scale;
     view.canvas.line(std::array{Point(now, plot_.y), Point(now, plot_.bottom())},
                      {kWhite, std::max(1.0, 0.3 * scale.line), 0.5, 0});

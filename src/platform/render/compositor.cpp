@@ -119,86 +119,78 @@ void addMeetings(const DrawnBody& body, std::size_t band, int row, const AlikeSu
   addMeetings(body.pixels, {row, row + 1, left, right}, alike, pixels);
 }
 
-void copyPixels(const image::Image& from, const geometry::PixelRect& area, image::Image& to) {
+void copyPixels(const image::Image& from, const image::Area& area, const image::Pixels& to) {
   const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(area.x);
   const std::size_t size = 4 * static_cast<std::size_t>(area.width);
-  for (int y = area.y; y < area.y + area.height; ++y)
+  for (int y = area.y; y < area.bottom(); ++y)
     std::memcpy(to.row(y) + left, from.row(y) + left, size);
 }
 
-void halve(const image::Image& large, const geometry::PixelRect& area, image::Image& picture) {
-  image::downsample(large, area.x / 2, area.y / 2, area.width / 2, area.height / 2, picture);
-}
-
-/// Returns the smallest area with even borders that holds another.
-geometry::PixelRect evenAround(const geometry::PixelRect& area) {
-  const int x = area.x & ~1, y = area.y & ~1;
-  return {x, y, (area.x + area.width - x + 1) & ~1, (area.y + area.height - y + 1) & ~1};
+/// Returns the area of a picture that a band takes, or of one half as wide and high.
+image::Area areaOf(const geometry::PixelRect& band, bool isTwice) {
+  const auto& [x, y, width, height] = band;
+  if (!isTwice) return {x, y, width, height};
+  return {x / 2, y / 2, (x + width + 1) / 2 - x / 2, (y + height + 1) / 2 - y / 2};
 }
 
 }  // namespace
 
-Compositor::Compositor(const image::Image& background, int supersample, const geometry::Mesh& mesh)
+Compositor::Compositor(const image::Image& background, bool isTwice, const geometry::Mesh& mesh)
     : background_(background),
-      supersample_(supersample),
       edges_(mesh),
       edgePixels_(background_.width(), background_.height()),
       alike_(alikeSurfacesOf(mesh)),
       samples_(alike_) {
-  if (supersample_ == 1) return;
-  large_ = {background.width(), background.height(), image::PixelFormat::Rgba8};
-  halved_ = makePicture();
-  halve(background, wholePicture(), halved_);
+  if (isTwice) large_.emplace(background.width(), background.height(), image::PixelFormat::Rgba8);
 }
 
-image::Image Compositor::makePicture() const {
-  return {background_.width() / supersample_, background_.height() / supersample_,
-          image::PixelFormat::Rgba8};
-}
-
-void Compositor::compose(const DrawnBody& body, image::Image& picture) {
+void Compositor::compose(const DrawnBody& body, int x, int y, image::Image& picture) {
   const bool hasOwn = body.background.width() > 0;
   const image::Image& background = hasOwn ? body.background : background_;
-  // It may be of another shape: a picture that was read
-  const auto pixels = static_cast<std::size_t>(supersample_ * supersample_);
-  if (pixels * picture.bytes().size() != background.bytes().size()) picture = makePicture();
-  if (supersample_ == 1) return composeOver(background, body, true, picture);
-  // Elsewhere than the body the background is halved once for all pictures
-  std::vector<geometry::PixelRect> areas;
-  for (const geometry::PixelRect& band : body.bands) areas.push_back(evenAround(band));
-  if (hasOwn) areas = {wholePicture()};
-  if (!hasOwn) picture = halved_;
-  for (const geometry::PixelRect& area : areas) copyPixels(background, area, large_);
-  composeOver(background, body, false, large_);
-  for (const geometry::PixelRect& area : areas) halve(large_, area, picture);
+  std::vector<image::Area> areas;
+  if (hasOwn) {
+    areas = {areaOf({0, 0, background.width(), background.height()}, large_.has_value())};
+  } else {
+    for (const geometry::PixelRect& band : body.bands)
+      areas.push_back(areaOf(band, large_.has_value()));
+  }
+  for (const image::Area& area : areas)
+    picture.touch({x + area.x, y + area.y, area.width, area.height});
+  const image::Pixels pixels = picture.from(x, y);
+  if (large_) return composeLarge(background, areas, body, pixels);
+  if (hasOwn) copyPixels(background, areas.front(), pixels);
+  composeOver(background, body, pixels);
 }
 
-void Compositor::composeOver(const image::Image& background, const DrawnBody& body, bool copies,
-                             image::Image& picture) {
+void Compositor::composeLarge(const image::Image& background, const std::vector<image::Area>& areas,
+                              const DrawnBody& body, const image::Pixels& picture) {
+  const image::Pixels large = large_->from(0, 0);
+  for (const auto& [x, y, width, height] : areas)
+    copyPixels(background, {2 * x, 2 * y, 2 * width, 2 * height}, large);
+  composeOver(background, body, large);
+  for (const image::Area& area : areas) image::downsample(*large_, area, picture);
+}
+
+void Compositor::composeOver(const image::Image& background, const DrawnBody& body,
+                             const image::Pixels& picture) {
+  if (body.bands.empty()) return;
   edgePixels_.clear();
   triangles_.clear();
-  if (!body.bands.empty()) {
-    edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
-                triangles_);
-  }
-  copyRows(copies ? &background : nullptr, body, picture);
-  if (body.bands.empty()) return;
+  edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
+              triangles_);
+  copyDrawn(body, picture);
   edgePixels_.number();
   samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background, picture);
 }
 
-/// Copies each row at once, while the processor's cache holds it.
-void Compositor::copyRows(const image::Image* background, const DrawnBody& body,
-                          image::Image& picture) {
-  const auto size = static_cast<std::size_t>(picture.stride());
-  std::size_t band = 0;
-  for (int y = 0; y < picture.height(); ++y) {
-    if (background != nullptr) std::memcpy(picture.row(y), background->row(y), size);
-    while (band < body.bands.size() && body.bands[band].y + body.bands[band].height <= y) ++band;
-    if (band == body.bands.size() || body.bands[band].y > y) continue;
-    const auto left = 4 * static_cast<std::ptrdiff_t>(body.bands[band].x);
-    rowCode.copyDrawn(body.pixels.row(y) + left, body.bands[band].width, picture.row(y) + left);
-    addMeetings(body, band, y, alike_, edgePixels_);
+void Compositor::copyDrawn(const DrawnBody& body, const image::Pixels& picture) {
+  for (std::size_t band = 0; band < body.bands.size(); ++band) {
+    const auto& [x, top, width, height] = body.bands[band];
+    const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(x);
+    for (int y = top; y < top + height; ++y) {
+      rowCode.copyDrawn(body.pixels.row(y) + left, width, picture.row(y) + left);
+      addMeetings(body, band, y, alike_, edgePixels_);
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // Composes a drawn body and the background into a picture. Inside the room only.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/hull_bands.h"
@@ -17,37 +18,31 @@ namespace rotatebook::render {
 /// a time.
 class Compositor {
  public:
-  /// `background`: Rgba8, straight alpha, `supersample` (1 or 2) times as wide and high as the
-  /// pictures. Must outlive this.
-  Compositor(const image::Image& background, int supersample, const geometry::Mesh& mesh);
+  /// `background`: Rgba8, straight alpha, of the pictures' size or twice as wide and high. Must
+  /// outlive this.
+  Compositor(const image::Image& background, bool isTwice, const geometry::Mesh& mesh);
 
-  /// Returns a picture of the right size and format for compose().
-  image::Image makePicture() const;
-  /// Overwrites all of `picture`; one of another size or format becomes makePicture()'s. `body` has
-  /// the background's size.
-  void compose(const DrawnBody& body, image::Image& picture);
+  /// Composes a body, drawn in the background's size, with its top left at (x, y) of `picture`,
+  /// which shows the background there, touching it alone. One with a background of its own replaces
+  /// that, too.
+  void compose(const DrawnBody& body, int x, int y, image::Image& picture);
 
  private:
-  geometry::PixelRect wholePicture() const {
-    return {0, 0, background_.width(), background_.height()};
-  }
-  /// Composes a body over a background, which it `copies` to `picture`, unless that shows it
-  /// already where the body may be.
-  void composeOver(const image::Image& background, const DrawnBody& body, bool copies,
-                   image::Image& picture);
-  /// Copies the background, if there is one, and what was drawn; adds meetings to edgePixels_.
-  void copyRows(const image::Image* background, const DrawnBody& body, image::Image& picture);
+  /// Composes a body over `picture`, which shows the background where the body may be.
+  void composeOver(const image::Image& background, const DrawnBody& body,
+                   const image::Pixels& picture);
+  /// Copies what was drawn; adds meetings to edgePixels_.
+  void copyDrawn(const DrawnBody& body, const image::Pixels& picture);
+  void composeLarge(const image::Image& background, const std::vector<image::Area>& areas,
+                    const DrawnBody& body, const image::Pixels& picture);
 
   const image::Image& background_;
-  int supersample_;
   BodyEdges edges_;
   EdgePixels edgePixels_;
   std::vector<ScreenTriangle> triangles_;
   AlikeSurfaces alike_;
   EdgeSamples samples_;
-  // If supersampled:
-  image::Image large_;   // The picture before it is halved, where the body may be.
-  image::Image halved_;  // The background.
+  std::optional<image::Image> large_;  // The picture before it is halved, where the body may be.
 };
 
 }  // namespace rotatebook::render

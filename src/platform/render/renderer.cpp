@@ -13,6 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
+#include "image/downsample.h"
 #include "render/backdrop.h"
 #include "render/body/body_painter.h"
 #include "render/body/book_painter.h"
@@ -65,10 +66,10 @@ DrawnBody testBody(const FrameSize& size) {
 
 /// One look, and all that is needed to draw its body.
 struct Body {
-  Body(std::unique_ptr<BodyPainter> bodyPainter, const image::Image& background, int supersample)
+  Body(std::unique_ptr<BodyPainter> bodyPainter, const image::Image& background, bool isTwice)
       : painter(std::move(bodyPainter)),
         stripFinder(painter->mesh()),
-        compositor(background, supersample, painter->mesh()) {}
+        compositor(background, isTwice, painter->mesh()) {}
 
   std::unique_ptr<BodyPainter> painter;
   StripFinder stripFinder;
@@ -91,9 +92,10 @@ struct Renderer::Parts {
         context(settings.device),
         target(width, height),
         backdrop(settings),
-        background(makeBackground()) {
+        background(makeBackground()),
+        halved(halvedBackground()) {
     for (const BodyLook& look : looks)
-      bodies.emplace_back(makePainter(look, settings.detail), background, settings.supersample);
+      bodies.emplace_back(makePainter(look, settings.detail), background, halved.has_value());
     for (const Body& body : bodies) requireDrawing(*body.painter);
     if (stripCount() > 0) stripTarget.emplace(DrawnStrips::kColumns, stripCount());
     requireNoGlError("while setting up");
@@ -128,6 +130,16 @@ struct Renderer::Parts {
     backdrop.draw(target, Eigen::Matrix4f::Zero(), picture);
     return picture;
   }
+
+  /// Returns the background of pictures, if it isn't that of the drawing.
+  std::optional<image::Image> halvedBackground() const {
+    if (settings.supersample == 1) return {};
+    image::Image picture(settings.width, settings.height, image::PixelFormat::Rgba8);
+    image::downsample(background, picture.area(), picture.from(0, 0));
+    return picture;
+  }
+
+  const image::Image& shownBackground() const { return halved ? *halved : background; }
 
   /// Draws a background of its own for a body that a turning camera sees.
   void drawBackground(DrawnBody& drawn) const {
@@ -237,7 +249,8 @@ struct Renderer::Parts {
   FrameTarget target;
   Backdrop backdrop;
   std::optional<Eigen::Matrix3d> worldFromFrame;  // Of a camera that turns.
-  image::Image background;
+  image::Image background;                        // Of the drawing.
+  std::optional<image::Image> halved;
   std::vector<Body> bodies;                           // By look.
   std::optional<FrameTarget> stripTarget;             // If a body has strips.
   std::vector<std::optional<DrawnBody>> forPictures;  // By look, for draw() to a picture.
@@ -270,12 +283,17 @@ DrawnBody Renderer::makeBody(std::size_t look) const {
   return body;
 }
 
-void Renderer::compose(const DrawnBody& body, image::Image& picture) {
-  parts_->bodies[body.look].compositor.compose(body, picture);
+void Renderer::compose(const DrawnBody& body, int x, int y, image::Image& picture) {
+  parts_->bodies[body.look].compositor.compose(body, x, y, picture);
+}
+
+const image::Image& Renderer::background() const {
+  return parts_->shownBackground();
 }
 
 image::Image Renderer::makePicture() const {
-  return parts_->bodies.front().compositor.makePicture();
+  const RenderSettings& settings = parts_->settings;
+  return {settings.width, settings.height, image::PixelFormat::Rgba8};
 }
 
 void Renderer::draw(const body::Cage& cage, image::Image& picture) {
@@ -287,7 +305,8 @@ void Renderer::draw(std::size_t look, const body::Cage& cage, image::Image& pict
   std::optional<DrawnBody>& drawn = parts_->forPictures[look];
   if (!drawn) drawn = makeBody(look);
   draw(cage, *drawn);
-  compose(*drawn, picture);
+  picture = background();
+  compose(*drawn, 0, 0, picture);
 }
 
 void Renderer::draw(const body::Cage& cage, DrawnBody& body) {

@@ -62,8 +62,11 @@ class Renderer {
   /// for all of them, which is faster where they are small. Throws like draw().
   void draw(std::span<const body::Cage> cages, std::span<const geometry::Camera> cameras,
             std::span<DrawnBody> bodies);
-  /// Composes a drawn body over the background. See Compositor.
-  void compose(const DrawnBody& body, image::Image& picture);
+  /// Composes a drawn body into `picture`, which shows background() from (x, y) on, touching it
+  /// alone. A body that a turning camera sees replaces the background, too.
+  void compose(const DrawnBody& body, int x, int y, image::Image& picture);
+  /// Returns a picture, of the settings' size, without a body.
+  const image::Image& background() const;
 
   /// Draws a small test frame, in which every pixel of a body is computed as in frames, and
   /// returns its checksum. It depends on the driver and the processor alone, and on the background

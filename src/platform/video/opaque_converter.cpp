@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 
+#include "image/tiles.h"
 #include "image/wide_vectors.h"
 
 namespace rotatebook::video {
@@ -103,13 +104,14 @@ ROTATEBOOK_INLINE Shorts weighted(const Pixels& pixels, const Weights& weights,
   return packed(all[0], all[1]);
 }
 
-/// Converts a row of pixels to luma, and to colours with 6 more bits.
-[[gnu::target("avx2")]] void weigh(const std::uint8_t* rgba, int width, std::uint8_t* luma,
-                                   std::int16_t* u, std::int16_t* v) {
+/// Converts pixels of a row from `left` on, at least kAtOnce, to luma, and to colours with 6 more
+/// bits.
+[[gnu::target("avx2")]] void weigh(const std::uint8_t* rgba, int left, int right,
+                                   std::uint8_t* luma, std::int16_t* u, std::int16_t* v) {
   // swscale rounds down to 6 more bits, whose half it has added, then to the nearest
   constexpr std::int32_t kHalf = 1 << 8, kNearest = 1 << 14, kOne = 1 << 15;
-  for (int next = 0; next < width; next += kAtOnce) {
-    const int x = std::min(next, width - kAtOnce);  // The last ones may be converted twice.
+  for (int next = left; next < right; next += kAtOnce) {
+    const int x = std::min(next, right - kAtOnce);  // The last ones may be converted twice.
     const Pixels pixels = pixelsAt(rgba + 4 * static_cast<std::ptrdiff_t>(x));
     store(weighted<15>(pixels, kY, 16 * kOne + kHalf + kNearest), luma + x, kAtOnce);
     const Shorts blue = weighted<9>(pixels, kU, 128 * kOne + kHalf);
@@ -157,7 +159,7 @@ ROTATEBOOK_INLINE Shorts weighted(const Pixels& pixels, const Weights& weights,
 
 #else
 
-void weigh(const std::uint8_t*, int, std::uint8_t*, std::int16_t*, std::int16_t*) {}
+void weigh(const std::uint8_t*, int, int, std::uint8_t*, std::int16_t*, std::int16_t*) {}
 void halve(const std::int16_t*, int, std::int16_t*) {}
 void mix(const std::array<const std::int16_t*, 4>&, int, std::uint8_t*) {}
 
@@ -171,16 +173,42 @@ bool OpaqueConverter::isHere() {
 }
 
 OpaqueConverter::OpaqueConverter(int width)
-    : width_(width),
-      size_(static_cast<std::size_t>(width) + kOverrun),
+    : size_(static_cast<std::size_t>(width) + kOverrun),
       colours_(2 * size_),
       halved_(kRows * size_) {}
 
 void OpaqueConverter::convert(const image::ImageView& picture, AVFrame& frame) {
-  int next = 0;
-  for (int row = 0; row < picture.height / 2; ++row) {
-    for (; next < std::min(2 * row + 3, picture.height); ++next) convertRow(picture, next, frame);
-    mixRows(row, picture.height, frame);
+  const image::Tiles tiles(picture.width, picture.height);
+  const image::Area all{0, 0, picture.width, picture.height};
+  const bool isKnown = picture.marks != nullptr && marks_.size() == tiles.count();
+  const auto differs = [&](std::size_t tile) {
+    return marks_[tile] == 0 || marks_[tile] != picture.marks[tile];
+  };
+  // Colours are mixed from rows above and below
+  const auto columns = static_cast<std::size_t>(tiles.columns());
+  const auto isStale = [&](std::size_t tile) {
+    return differs(tile) || (tile >= columns && differs(tile - columns)) ||
+           (tile + columns < tiles.count() && differs(tile + columns));
+  };
+  if (isKnown) {
+    tiles.forEachRun(all, isStale,
+                     [&](const image::Area& run) { convertArea(picture, run, frame); });
+  } else {
+    convertArea(picture, all, frame);
+  }
+  marks_.clear();
+  if (picture.marks != nullptr) marks_.assign(picture.marks, picture.marks + tiles.count());
+}
+
+void OpaqueConverter::convertArea(const image::ImageView& picture, image::Area area,
+                                  AVFrame& frame) {
+  // The colour beside it is mixed from its last pixels, too
+  area.width = std::min(area.width + 2, picture.width - area.x);
+  int next = std::max(area.y - 1, 0);
+  for (int row = area.y / 2; row < area.bottom() / 2; ++row) {
+    for (; next < std::min(2 * row + 3, picture.height); ++next)
+      convertRow(picture, next, area, frame);
+    mixRows(row, picture.height, area, frame);
   }
 }
 
@@ -189,22 +217,26 @@ std::int16_t* OpaqueConverter::halved(int row, std::size_t colour) {
   return &halved_[static_cast<std::size_t>(row) % kRows * size_ + colour * size_ / 2];
 }
 
-void OpaqueConverter::convertRow(const image::ImageView& picture, int row, AVFrame& frame) {
+void OpaqueConverter::convertRow(const image::ImageView& picture, int row, const image::Area& area,
+                                 AVFrame& frame) {
   std::int16_t *u = &colours_[1], *v = &colours_[1 + size_];
-  weigh(picture.row(row), width_, frame.data[0] + std::ptrdiff_t{row} * frame.linesize[0], u, v);
+  weigh(picture.row(row), std::max(area.x - kAtOnce, 0), area.right(),
+        frame.data[0] + std::ptrdiff_t{row} * frame.linesize[0], u, v);
   u[-1] = u[0];
   v[-1] = v[0];
-  halve(u, width_ / 2, halved(row, 0));
-  halve(v, width_ / 2, halved(row, 1));
+  halve(u + area.x, area.width / 2, halved(row, 0) + area.x / 2);
+  halve(v + area.x, area.width / 2, halved(row, 1) + area.x / 2);
 }
 
-void OpaqueConverter::mixRows(int row, int height, AVFrame& frame) {
+void OpaqueConverter::mixRows(int row, int height, const image::Area& area, AVFrame& frame) {
   for (std::size_t colour = 0; colour < 2; ++colour) {
-    const auto at = [&](int y) { return halved(std::clamp(y, 0, height - 1), colour); };
+    const auto at = [&](int y) {
+      return halved(std::clamp(y, 0, height - 1), colour) + area.x / 2;
+    };
     const std::array<const std::int16_t*, kRows> rows{at(2 * row - 1), at(2 * row), at(2 * row + 1),
                                                       at(2 * row + 2)};
-    mix(rows, width_ / 2,
-        frame.data[colour + 1] + std::ptrdiff_t{row} * frame.linesize[colour + 1]);
+    std::uint8_t* out = frame.data[colour + 1] + std::ptrdiff_t{row} * frame.linesize[colour + 1];
+    mix(rows, area.width / 2, out + area.x / 2);
   }
 }
 

@@ -95,6 +95,7 @@ AVFrame& PixelConverter::convert(image::ImageView picture) {
     opaque_->convert(picture, *frame_);
     return *frame_;
   }
+  if (opaque_) opaque_->forget();
   if (!scaler_ || picture.format != scalerFormat_) prepareFor(picture.format);
   // The rows at the end of the picture's memory are copied to a buffer with room after them.
   const int rest = picture.height - kSliceRows;

@@ -26,7 +26,7 @@ Image large(const std::array<Pixel, 4>& left) {
 
 Pixel halved(const std::array<Pixel, 4>& left) {
   Image picture(2, 1, PixelFormat::Rgba8);
-  downsample(large(left), 0, 0, picture.width(), picture.height(), picture);
+  downsample(large(left), picture.area(), picture.from(0, 0));
   EXPECT_EQ(picture.row(0)[7], 0);  // The right four are empty.
   Pixel pixel{};
   std::copy_n(picture.row(0), 4, pixel.begin());

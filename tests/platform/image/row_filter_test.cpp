@@ -24,32 +24,34 @@ Image smallPicture(PixelFormat format) {
   return picture;
 }
 
-std::vector<std::uint8_t> filtered(const Image& picture, int y, bool alpha) {
-  std::vector<std::uint8_t> out(filteredRowSize(picture.view(), alpha) + kFilterOverrun);
-  const std::uint8_t* end = filterRow(picture.view(), y, alpha, out.data());
-  out.resize(static_cast<std::size_t>(end - out.data()));
+std::vector<std::uint8_t> filtered(const Image& picture, int y, bool alpha, int left = 0) {
+  const int count = picture.width() - left;
+  const auto size = static_cast<std::size_t>(count * (alpha ? 4 : 3));
+  std::vector<std::uint8_t> out(size + kFilterOverrun);
+  filterPixels(picture.view(), y, left, count, alpha, out.data());
+  out.resize(size);
   return out;
 }
 
 using Row = std::vector<std::uint8_t>;
 
-constexpr std::uint8_t kSub = 1;  // PNG specification, section 9.2.
 constexpr std::uint8_t kFall = static_cast<std::uint8_t>(3 - 200);
 
 TEST(RowFilter, IsSub) {
   for (const PixelFormat format : {PixelFormat::Rgb8, PixelFormat::Rgba8}) {
     const Image picture = smallPicture(format);
     EXPECT_EQ(filtered(picture, 0, false),
-              (Row{kSub, 200, 201, 202, kFall, kFall, kFall, 3, 3, 3, 10, 10, 10}));
+              (Row{200, 201, 202, kFall, kFall, kFall, 3, 3, 3, 10, 10, 10}));
     EXPECT_EQ(filtered(picture, 1, false),
-              (Row{kSub, 220, 221, 222, kFall, kFall, kFall, 3, 3, 3, 10, 10, 10}));
+              (Row{220, 221, 222, kFall, kFall, kFall, 3, 3, 3, 10, 10, 10}));
+    EXPECT_EQ(filtered(picture, 1, false, 2), (Row{3, 3, 3, 10, 10, 10}));
   }
 }
 
 TEST(RowFilter, IsSubOfTheAlphaToo) {
   const Image picture = smallPicture(PixelFormat::Rgba8);
-  EXPECT_EQ(filtered(picture, 1, true), (Row{kSub, 220, 221, 222, 223, kFall, kFall, kFall, kFall,
-                                             3, 3, 3, 3, 10, 10, 10, 10}));
+  EXPECT_EQ(filtered(picture, 1, true),
+            (Row{220, 221, 222, 223, kFall, kFall, kFall, kFall, 3, 3, 3, 3, 10, 10, 10, 10}));
 }
 
 }  // namespace

@@ -329,7 +329,7 @@ void EdgeSamples::rasterise(const EdgePixels& pixels, const ScreenTriangle& tria
 
 void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
                           const image::Image& drawn, const DrawnStrips& strips,
-                          const image::Image& background, image::Image& picture) {
+                          const image::Image& background, const image::Pixels& picture) {
   // Find the nearest surface at every sample of the edge pixels
   PixelSamples nothing{};
   nothing.depths.fill(std::numeric_limits<float>::max());

@@ -42,10 +42,10 @@ class EdgeSamples {
 
   /// Replaces those of `picture`'s pixels that are among `pixels` by the mean of their samples.
   /// `drawn`: Rgba8, alpha is the surface's number, 0 where nothing was drawn. `picture` shows it
-  /// over `background`; both are of the same size, Rgba8, with straight alpha.
+  /// over `background`, which has its size; both are Rgba8 with straight alpha.
   void resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
                const image::Image& drawn, const DrawnStrips& strips, const image::Image& background,
-               image::Image& picture);
+               const image::Pixels& picture);
 
  private:
   void rasterise(const EdgePixels& pixels, const ScreenTriangle& triangle);

@@ -70,7 +70,7 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const auto& [x, y] = grid.positions[i];
     overlay::Viewport viewport{
-        .x = x, .y = y, .width = grid.width, .height = grid.height, .energyTop = energyTop};
+        .width = grid.width, .height = grid.height, .energyTop = energyTop, .x = x, .y = y};
     if (heads) {
       viewport.hasHead = true;
       viewport.letters = scene.grid ? 0 : panelLetters(scene);

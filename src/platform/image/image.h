@@ -28,8 +28,8 @@ struct ImageView {
   int height = 0;                        ///< [pixels]
   std::ptrdiff_t stride = 0;             ///< Distance from a row to the one below. [bytes]
   PixelFormat format = PixelFormat::Rgba8;
-  /// Marks of the picture's tiles, row by row; null if it has none. Where the mark isn't 0,
-  /// pictures of one size and format show the same in tiles with the same mark.
+  /// Marks of the picture's tiles, row by row; null if it has none. Pictures of one size and format
+  /// show the same in a tile where they have the same mark, unless it is 0.
   const std::uint64_t* marks = nullptr;
 
   const std::uint8_t* row(int y) const { return topRow + y * stride; }

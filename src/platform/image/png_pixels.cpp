@@ -80,7 +80,7 @@ bool PixelPacker::filterBand(const ImageView& view, bool alpha, const Area& area
 
 bool PixelPacker::filterArea(const ImageView& view, bool alpha, const Area& area, int top,
                              Band& band) {
-  // What is to the right of the area is stored as the difference to it
+  // The pixels beside it are stored as differences to its last ones
   const int count = std::min(area.width + 1, view.width - area.x);
   const std::size_t pixel = alpha ? 4 : 3, rowSize = filteredRowSize(view, alpha);
   const std::size_t size = pixel * static_cast<std::size_t>(count);

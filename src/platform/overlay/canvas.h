@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "image/area.h"
 #include "image/image.h"
 #include "overlay/box.h"
 #include "overlay/ink.h"

@@ -18,7 +18,6 @@ class ArrowLabels;
 
 /// The picture on which a motion's overlays are drawn: a whole one, or a panel's.
 struct Viewport {
-  int x = 0, y = 0;  ///< Of a panel's top left pixel in the whole picture. [pixels]
   int width = 0;     ///< > 0 [pixels]
   int height = 0;    ///< > 0 [pixels]
   /// The box of other text at its top left corner, see CaptionAndClock::corner(). [pixels]
@@ -32,6 +31,7 @@ struct Viewport {
   /// charts side by side have one scale. The chart of the angle to the exact motion always ends at
   /// 180°.
   double energyTop = 0;
+  int x = 0, y = 0;  ///< Of a panel's top left pixel in the whole picture. [pixels]
 };
 
 /// Returns where the energy chart of this motion alone ends, as a share of the initial total

@@ -6,6 +6,7 @@
 
 #include "geometry/hull_bands.h"
 #include "geometry/mesh.h"
+#include "image/area.h"
 #include "image/image.h"
 #include "render/antialias/body_edges.h"
 #include "render/antialias/edge_pixels.h"

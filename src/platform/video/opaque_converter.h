@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "image/area.h"
 #include "image/image.h"
 #include "video/ffmpeg.h"
 

@@ -54,8 +54,12 @@ image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   Composition composition(scene, motion);
   const geometry::Camera camera = timeline::cameraOf(scene, composition.screen());
   image::Image picture = composition.makePicture();
-  const auto drawBody = [&](std::size_t i, std::size_t sample, image::Image& panel) {
-    makeGrey(panel);
+  image::Image grey(composition.screen().width, composition.screen().height,
+                    image::PixelFormat::Rgba8);
+  makeGrey(grey);
+  composition.setBackground(grey);
+  const auto drawBody = [&](std::size_t i, std::size_t sample, const plot::PanelGrid::Position&,
+                            image::Image&) {
     const body::Cage& corners = motion.trajectories()[i].samples[sample].cage;
     return geometry::project(camera, corners, composition.screen()).clipFromWorld;
   };

@@ -45,6 +45,22 @@ TEST(FrameDrawer, WritesOverTheBook) {
   EXPECT_EQ(drawnFrame(sceneWith("['clock']"), 7), clock);
 }
 
+TEST(FrameDrawer, DrawsTheSameOverAnyPicture) {
+  for (const char* more : {"look.supersample=1", "look.supersample=2", "look.background='stars'"}) {
+    const scene::Scene scene = pipeline::testing::smallScene(
+        {"clip.size=[320, 180]", "overlay.show=['caption', 'clock', 'polhode', 'omega']",
+         "camera.frame='body'", more});
+    const timeline::ClipMotion motion = timeline::simulateScene(scene);
+    FrameDrawer drawer(scene, motion);
+    std::array<image::Image, 2> pictures;
+    for (const std::int64_t frame : {0, 3, 9, 9, 1, 4, 0}) {
+      image::Image& picture = pictures[static_cast<std::size_t>(frame % 2)];
+      drawer.draw(frame, picture);
+      EXPECT_EQ(picture, drawnFrame(scene, frame)) << more << ", frame " << frame;
+    }
+  }
+}
+
 TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
   const auto inFrame = [](const char* frame, std::int64_t n) {
     return drawnFrame(pipeline::testing::smallScene({"camera.frame=" + std::string(frame)}), n);

@@ -1,9 +1,15 @@
 #include "image/image.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "image/moving_picture.h"
 
 namespace rotatebook::image {
 namespace {
@@ -43,6 +49,51 @@ TEST(Image, IsAValue) {
   original.row(0)[2] = 9;
   EXPECT_NE(copy, original);
   EXPECT_NE(copy, Image(1, 1, PixelFormat::Rgba8));
+}
+
+TEST(Image, ShowsTheGroundAroundWhatWasTouchedAndTheRestElsewhere) {
+  testing::MovingPicture moving(200, 50);
+  for (const Area& patch : testing::kPatches) {
+    const Image& picture = moving.with(patch);
+    Tiles(200, 50).forEach(picture.area(), [&](std::size_t, const Area& tile) {
+      const Image& behind = common(patch, tile).empty() ? moving.rest() : moving.ground();
+      for (int y = tile.y; y < tile.bottom(); ++y) {
+        for (int x = tile.x; x < tile.right(); ++x) {
+          const bool isCovered = !common(patch, {x, y, 1, 1}).empty();
+          EXPECT_TRUE(isCovered || std::equal(behind.row(y) + 4 * x, behind.row(y) + 4 * x + 4,
+                                              picture.row(y) + 4 * x))
+              << x << ", " << y;
+        }
+      }
+    });
+  }
+}
+
+TEST(Image, HasEqualMarksForEqualTilesAlone) {
+  testing::MovingPicture moving(200, 50);
+  std::map<std::pair<std::size_t, std::uint64_t>, std::string> shown;
+  std::size_t known = 0;
+  for (const Area& patch : testing::kPatches) {
+    Image picture = moving.with(patch);
+    paste(Image(1, 1, PixelFormat::Rgba8).view(), 150, 20, picture);  // Also after settle()
+    Tiles(200, 50).forEach(picture.area(), [&](std::size_t number, const Area& tile) {
+      std::string bytes;
+      for (int y = tile.y; y < tile.bottom(); ++y)
+        bytes.append(reinterpret_cast<const char*>(picture.row(y)) + 4 * tile.x, 4UL * tile.width);
+      const std::uint64_t mark = picture.view().marks[number];
+      EXPECT_NE(mark, 0U);
+      const auto [found, isNew] = shown.try_emplace({number, mark}, bytes);
+      EXPECT_EQ(found->second, bytes);
+      if (!isNew) ++known;
+    });
+  }
+  EXPECT_GE(known, 90U);  // measured 98 of 144
+}
+
+TEST(Image, HasNoMarksUnlessItIsDrawnOverAGround) {
+  Image picture(200, 50, PixelFormat::Rgba8);
+  picture.touch(picture.area());
+  EXPECT_EQ(picture.view().marks, nullptr);
 }
 
 TEST(ImageView, SeesWhatTheImageHolds) {

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "image/moving_picture.h"
 #include "image/png_bytes.h"
 #include "image/png_file.h"
 
@@ -62,6 +63,21 @@ TEST_F(PngBandsTest, BytesDependOnThePictureAlone) {
     const Image picture = framePicture(80, 97, PixelFormat::Rgb8, shift);
     EXPECT_EQ(writtenBy(writer, picture), writtenAlone(picture, {})) << shift;
     EXPECT_EQ(readPng(path_), picture) << shift;
+  }
+}
+
+TEST_F(PngBandsTest, MarksChangeNothing) {
+  for (const bool transparent : {false, true}) {
+    PngWriter writer(transparent);
+    testing::MovingPicture moving(200, 50);
+    for (const Area& patch : testing::kPatches) {
+      const Image& picture = moving.with(patch);
+      ImageView unmarked = picture.view();
+      unmarked.marks = nullptr;
+      PngWriter(transparent).write(path_, unmarked);
+      const Bytes expected = contentOf(path_);
+      EXPECT_EQ(writtenBy(writer, picture), expected) << patch.x;
+    }
   }
 }
 

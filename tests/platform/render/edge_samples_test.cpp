@@ -60,7 +60,7 @@ struct Scene {
           std::ranges::copy(Pixel{pixel[0], pixel[1], pixel[2], 255}, picture.row(y) + 4 * x);
       }
     }
-    EdgeSamples(alike).resolve(pixels, triangles, drawn, {}, background, picture);
+    EdgeSamples(alike).resolve(pixels, triangles, drawn, {}, background, picture.from(0, 0));
     return picture;
   }
 
@@ -98,7 +98,7 @@ image::Image drawnAlone(const ScreenTriangle& triangle) {
   }
   pixels.number();
   image::Image picture(kSize, kSize, image::PixelFormat::Rgba8);
-  EdgeSamples({}).resolve(pixels, {&triangle, 1}, drawn, {}, picture, picture);
+  EdgeSamples({}).resolve(pixels, {&triangle, 1}, drawn, {}, picture, picture.from(0, 0));
   return picture;
 }
 

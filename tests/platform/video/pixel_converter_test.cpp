@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "image/moving_picture.h"
 #include "video/bt709.h"
 
 namespace rotatebook::video {
@@ -170,6 +171,21 @@ TEST(PixelConverter, GivesSwscalesBytesByVectors) {
       const std::string expected = samplesOf(converter.convert(withoutAlpha(rgba).view()));
       EXPECT_EQ(samplesOf(converter.convert(rgba.view())), expected) << width << "x" << height;
     }
+  }
+}
+
+TEST(PixelConverter, MarksChangeNothing) {
+  PixelConverter converter(200, 50);
+  image::testing::MovingPicture moving(200, 50);
+  for (const image::Area& patch : image::testing::kPatches) {
+    const Image& picture = moving.with(patch);
+    const std::string expected =
+        samplesOf(PixelConverter(200, 50).convert(withoutAlpha(picture).view()));
+    EXPECT_EQ(samplesOf(converter.convert(picture.view())), expected) << patch.x;
+    if (patch.x != 64) continue;
+    // One without marks in between
+    const Image other = noisePicture(200, 50, PixelFormat::Rgb8);
+    EXPECT_NE(samplesOf(converter.convert(other.view())), expected);
   }
 }
 

@@ -5,8 +5,8 @@ pictures, camera and studio, and how far they are apart.
     bench/beside/beside_cycles.py PROGRAM FOLDER
 
 Writes FOLDER/book.png, FOLDER/checks.png and FOLDER/bodies.png, a row for each view: rotatebook's, Cycles', and their
-difference on grey; prints a table. The grain of metal and wood is left out of what is exported, and so of Cycles'
-pictures alone. Needs blender, python3-numpy, python3-skimage; some 25 minutes on two cores.
+difference on grey; prints a table. The grain of metal and wood lies elsewhere in Cycles' pictures, which are those of
+what is exported. Needs blender, python3-numpy, python3-skimage; some 25 minutes on two cores.
 """
 import argparse
 import os

@@ -1,6 +1,7 @@
 #include "picture/interchange/exported_body.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "image/jpeg_writer.h"
 #include "image/png_file.h"
 #include "picture/interchange/gold_picture.h"
+#include "picture/interchange/grain.h"
 #include "picture/looks.h"
 #include "render/book_textures.h"
 #include "render/surface_look.h"
@@ -19,11 +21,16 @@
 namespace rotatebook::interchange {
 namespace {
 
-using Materials = std::vector<std::size_t>;  // Their indices, by part of the mesh.
+/// A part's material, by its index, and its grains along the edges of the unit cube, 0 of none.
+struct PartMaterial {
+  std::size_t index = 0;
+  Eigen::Vector3f grains{0, 0, 0};
+};
+using Materials = std::vector<PartMaterial>;  // By part of the mesh.
 
 constexpr int kLongestSide = 1024;  // Of the book's pictures. [pixels]
 constexpr int kQuality = 78;        // Of them as JPEG.
-constexpr int kGoldQuality = 32;
+constexpr int kGoldQuality = 32, kGrainQuality = 60;
 constexpr float kPaperRoughness = 1;
 
 /// Returns a picture's PNG or JPEG, whichever is smaller.
@@ -62,8 +69,20 @@ Materials addMaterials(const render::BookTextures& cover, ExportedBody& body) {
   };
   const std::size_t front = cloth("front", cover.front), spine = cloth("spine", cover.spine),
                     back = cloth("back", cover.back);
-  return {front, spine, back,
-          addPrinted("pages", render::builtinPaper(), kPaperRoughness, body::Wrap::Repeat, body)};
+  const std::size_t pages =
+      addPrinted("pages", render::builtinPaper(), kPaperRoughness, body::Wrap::Repeat, body);
+  return {{front}, {spine}, {back}, {pages}};
+}
+
+/// Adds the picture of a grain that fills no picture's place; returns the part's material.
+PartMaterial withGrain(const body::Grain& grain, const Eigen::Vector3d& size, ExportedBody& body) {
+  ExportedMaterial& material = body.materials.back();
+  const PartMaterial plain{body.materials.size() - 1};
+  if (grain.contrast <= 0 || material.colourPicture || material.metalPicture) return plain;
+  body.pictures.push_back({smallFileOf(grainTile(grain.contrast), kGrainQuality)});
+  material.colourPicture = body.pictures.size() - 1;
+  material.colour = (material.colour * (1 + grain.contrast)).cwiseMin(1);
+  return {plain.index, grainsAcross(grain, size).cast<float>()};
 }
 
 /// Adds those that a part of the mesh has.
@@ -87,31 +106,37 @@ Materials addMaterials(const render::SurfaceLook& look, const geometry::Mesh& me
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (mesh.parts[i].triangles.empty()) continue;
     const body::Material& material = look.surface.materials[i];
-    numbers[i] = body.materials.size();
     body.materials.push_back({.colour = material.baseColour,
                               .metalness = material.metalness,
                               .roughness = material.roughness,
                               .colourPicture = pictureOf(material.baseColourImage),
                               .metalPicture = pictureOf(material.metalRoughnessImage)});
+    numbers[i] = withGrain(material.grain, look.size, body);
   }
   return numbers;
 }
 
 /// Returns a part in metres: `size` is that of the mesh's unit cube.
 ExportedPart partOf(const geometry::Mesh& mesh, const geometry::MeshPart& part,
-                    const Eigen::Vector3f& size, std::size_t material) {
-  ExportedPart made{.material = material};
-  std::vector<std::uint32_t> numbers(mesh.vertices.size());  // One more than a vertex's; 0 if new.
-  for (const std::uint32_t corner : part.triangles) {
-    if (numbers[corner] == 0) {
+                    const Eigen::Vector3f& size, const PartMaterial& material) {
+  const bool hasGrain = material.grains.x() > 0;
+  ExportedPart made{.material = material.index};
+  // One more than a vertex's, 0 if new: sides that face other axes have other tiles of grain
+  std::vector<std::array<std::uint32_t, 3>> numbers(mesh.vertices.size());
+  for (std::size_t i = 0; i < part.triangles.size(); ++i) {
+    const std::uint32_t corner = part.triangles[i];
+    const int axis = hasGrain ? facedAxis(mesh, &part.triangles[i - i % 3], size) : 0;
+    std::uint32_t& number = numbers[corner][static_cast<std::size_t>(axis)];
+    if (number == 0) {
       const geometry::MeshVertex& vertex = mesh.vertices[corner];
       made.positions.emplace_back(
           (vertex.position - Eigen::Vector3f::Constant(0.5F)).cwiseProduct(size));
       made.normals.emplace_back(vertex.normal.cwiseQuotient(size).normalized());
-      made.texCoords.push_back(vertex.texCoord);
-      numbers[corner] = static_cast<std::uint32_t>(made.positions.size());
+      made.texCoords.push_back(hasGrain ? placeOnTiles(vertex.position, axis, material.grains)
+                                        : vertex.texCoord);
+      number = static_cast<std::uint32_t>(made.positions.size());
     }
-    made.corners.push_back(numbers[corner] - 1);
+    made.corners.push_back(number - 1);
   }
   return made;
 }

@@ -147,11 +147,13 @@ test: build
 	  awk '/ Testing: / {test = $$3} /: Skipped$$/ {getline; print "skipped: " test ": " $$0}' \
 	  $(BUILD)/Testing/Temporary/LastTest.log; exit $$status
 
-# ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those, each room in one process.
+empty :=
+space := $(empty) $(empty)
+# ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those. PART='_[12]': of a room with shards, these.
 test-rooms: configure-test
 	@cmake --build $(BUILD) --target $(ROOMS:%=%_tests)
-	@for room in $(ROOMS); do \
-	  $$(find $(BUILD)/tests -name $${room}_tests -type f) --gtest_brief=1 --gtest_filter='$(or $(FILTER),*)' || exit 1; done
+	@GTEST_FILTER='$(or $(FILTER),*)' ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc) \
+	  -R '^($(subst $(space),|,$(strip $(ROOMS))))$(or $(PART),(_[0-9]+)?)$$'
 
 # In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
 fuzz: setup-test

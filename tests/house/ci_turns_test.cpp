@@ -38,42 +38,46 @@ std::vector<Turn> turns() {
   return all;
 }
 
-/// The rooms whose tests run with AddressSanitizer in all of their parts, a turn for each.
-std::set<std::string> roomsWithAddressSanitizer() {
-  static const std::regex kAsan(R"(asan "?([a-z_ ]+)\"? ([0-9]+) (.*))");
-  std::set<std::string> rooms;
-  for (const auto& [numbers, command] : turns()) {
+/// The names of the tests that run with AddressSanitizer: "scene", "cli_3".
+std::set<std::string> testsInTurns() {
+  static const std::regex kAsan(R"re(asan "?([a-z_ ]+)"?( "_\[([0-9]+)\]")?)re");
+  std::set<std::string> tests;
+  for (const Turn& turn : turns()) {
     std::smatch match;
-    if (!std::regex_match(command, match, kAsan)) continue;
-    const std::size_t parts = std::stoul(match[2]);
-    const std::string part =
-        parts == 1 ? "0" : "$((turn - " + std::to_string(numbers.front()) + "))";
-    EXPECT_EQ(numbers.size(), parts) << command;
-    EXPECT_EQ(match[3], part) << command;
+    if (!std::regex_match(turn.command, match, kAsan)) continue;
+    const std::string shards = match[3];
     std::istringstream words(match[1]);
-    for (std::string room; words >> room;) rooms.insert(room);
+    for (std::string room; words >> room;) {
+      if (shards.empty()) tests.insert(room);
+      for (const char shard : shards) tests.insert(room + '_' + shard);
+    }
   }
-  return rooms;
+  return tests;
 }
 
-std::set<std::string> roomsWithTests() {
-  static const std::regex kTest(R"(^rotatebook_test\(([a-z_]+) .*)");
-  std::set<std::string> rooms;
+/// The names of all tests of rooms where they are sanitized.
+std::set<std::string> sanitizedTests() {
+  static const std::regex kTest(R"(^rotatebook_test\(([a-z_]+)(.* SANITIZED_SHARDS ([0-9]))?.*)");
+  std::set<std::string> tests;
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "tests")) {
     if (entry.path().filename() != "CMakeLists.txt") continue;
     for (const std::string& line : linesOf(readText(entry.path()))) {
       std::smatch match;
-      if (std::regex_match(line, match, kTest)) rooms.insert(match[1]);
+      if (!std::regex_match(line, match, kTest)) continue;
+      const std::string room = match[1];
+      if (!match[3].matched) tests.insert(room);
+      for (char shard = '1'; match[3].matched && shard <= *match[3].first; ++shard)
+        tests.insert(room + '_' + shard);
     }
   }
-  return rooms;
+  return tests;
 }
 
 TEST(CiTurns, HaveEachRoomsTestsWithAddressSanitizer) {
-  const std::set<std::string> rooms = roomsWithTests();
-  EXPECT_GT(rooms.size(), 30U);
-  EXPECT_EQ(roomsWithAddressSanitizer(), rooms);
+  const std::set<std::string> tests = sanitizedTests();
+  EXPECT_GT(tests.size(), 40U);
+  EXPECT_EQ(testsInTurns(), tests);
 }
 
 TEST(CiTurns, FollowEachOtherByTheNumberOfCommits) {

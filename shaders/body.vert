@@ -14,6 +14,10 @@ uniform vec3 cage[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 uniform vec3 beside;  // Share of light that is scattered by what hides the surroundings.
 uniform vec3 eye;  // World. [m]
+uniform vec3 baseColour;  // This and the next three are surface.frag's.
+uniform vec2 metalAndRoughness;  // Factors.
+uniform vec3 grainsAcross;       // Grains along the unit cube's axes; 0 for no grain.
+uniform vec2 contrastAndRelief;  // Of the grain; relief [m].
 
 out vec2 texCoord;
 out vec3 diffuseLight;   // Irradiance / pi. Linear.
@@ -23,6 +27,10 @@ out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
 // Software rasterisers read a uniform in each pixel anew, which takes as long as 25 multiplications.
 flat out vec3 besideIt;  // beside
+flat out vec3 base;  // And so on.
+flat out vec2 metalRough;
+flat out vec3 grains;
+flat out vec2 grainDepth;
 flat out float surfaceId;
 
 const float kLean = 1.28;  // Toward the middle of half the surroundings, where half is hidden.
@@ -48,6 +56,10 @@ void main() {
   texCoord = vertexTexCoord;
   fromEye = worldPosition - eye;
   besideIt = beside;
+  base = baseColour;
+  metalRough = metalAndRoughness;
+  grains = grainsAcross;
+  grainDepth = contrastAndRelief;
   worldNormal = normal;
   cubePosition = unitPosition;
   skyVisibility = vertexSkyVisibility;

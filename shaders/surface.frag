@@ -8,14 +8,14 @@ in vec3 fromEye;
 in vec3 worldNormal;
 in vec3 cubePosition;
 in float skyVisibility;
+flat in vec3 base;
+flat in vec2 metalRough;
+flat in vec3 grains;
+flat in vec2 grainDepth;
 flat in float surfaceId;
 
 uniform sampler2D albedo;
 uniform sampler2D metalRoughness;  // Green: roughness, blue: metalness.
-uniform vec3 baseColour;
-uniform vec2 metalAndRoughness;     // Factors.
-uniform vec3 grainsAcross;          // Grains along the unit cube's axes; 0 for no grain.
-uniform vec2 contrastAndRelief;     // Of the grain; relief [m].
 
 out vec4 colour;  // Encoded as sRGB; alpha: surfaceId / 255.
 
@@ -55,24 +55,24 @@ float grainAt(vec3 place) {
 }
 
 void main() {
-  vec3 base = baseColour * texture(albedo, texCoord).rgb;
+  vec3 painted = base * texture(albedo, texCoord).rgb;
   vec4 measured = texture(metalRoughness, texCoord);
-  float metal = metalAndRoughness.x * measured.b;
-  float rough = max(metalAndRoughness.y * measured.g, kMinRoughness);
+  float metal = metalRough.x * measured.b;
+  float rough = max(metalRough.y * measured.g, kMinRoughness);
   vec3 normal = normalize(worldNormal);
-  if (grainsAcross.x > 0.0) {
-    float grain = grainAt(grainsAcross * cubePosition);
-    base *= 1.0 + contrastAndRelief.x * grain;
-    normal = bumpedNormal(fromEye, normal, contrastAndRelief.y * grain);
+  if (grains.x > 0.0) {
+    float grain = grainAt(grains * cubePosition);
+    painted *= 1.0 + grainDepth.x * grain;
+    normal = bumpedNormal(fromEye, normal, grainDepth.y * grain);
   }
   vec3 toEye = normalize(-fromEye);
   // An interpolated normal may point away from the eye where the side hardly does.
   float nv = clamp(dot(normal, toEye), kMinViewCosine, 1.0);
   rough = widenedRoughness(rough, worldNormal);
-  vec3 share = metalShare(metal, metal * base, rough, nv);
+  vec3 share = metalShare(metal, metal * painted, rough, nv);
   share += (1.0 - metal) * dielectricShare(rough, nv);
   float lobe = rough * mix(kDielectricLobe, 1.0, metal);
   vec3 shine = studio(reflect(-toEye, normal), normal, lobe) * share;
-  vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
+  vec3 radiance = (1.0 - metal) * painted * diffuseLight + skyVisibility * shine;
   colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

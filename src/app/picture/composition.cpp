@@ -154,26 +154,30 @@ void Composition::setBackground(const image::Image& ofBody) {
 void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {
   setStill(frame);
   picture.beginOn(background_);
-  for (std::size_t i = 0; i < grid_.positions.size(); ++i) drawMotion(i, frame, drawBody, picture);
+  std::vector<Eigen::Matrix4d> projections;
+  for (std::size_t i = 0; i < overlays_.size(); ++i) {
+    projections.push_back(drawBody(i, motion_->sampleAt(i, frame), grid_.positions[i], picture));
+    overlays_[i].drawAroundBody(frame, projections[i], picture);
+  }
+  for (overlay::MotionOverlays& one : overlays_) one.drawStill(picture);
+  picture.goOnOver(withInsets_);
+  for (std::size_t i = 0; i < overlays_.size(); ++i)
+    overlays_[i].drawInsets(frame, projections[i], picture);
   if (heads_) heads_->draw(frame, picture);
-  captionAndClock_.drawCaptionOverTouched(picture);
+  captionAndClock_.drawCaption(picture);
   picture.settle(still_);
   captionAndClock_.drawClock(motion_->clockFrame(frame), picture);
 }
 
 void Composition::setStill(std::int64_t frame) {
-  const bool isOther = captionAndClock_.setCaption(frame);
-  if (!isOther && still_.width() > 0) return;
-  still_ = background_;
+  bool isOther = captionAndClock_.setCaption(frame) || still_.width() == 0;
+  for (overlay::MotionOverlays& one : overlays_) isOther = one.setStill(frame) || isOther;
+  if (!isOther) return;
+  withInsets_ = background_;
+  for (overlay::MotionOverlays& one : overlays_) one.drawStill(withInsets_);
+  still_ = withInsets_;
   captionAndClock_.drawCaption(still_);
   still_.mark();
-}
-
-void Composition::drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
-                             image::Image& picture) {
-  const Eigen::Matrix4d clipFromWorld =
-      drawBody(motion, motion_->sampleAt(motion, frame), grid_.positions[motion], picture);
-  overlays_[motion].draw(frame, clipFromWorld, picture);
 }
 
 }  // namespace rotatebook::picture

@@ -54,10 +54,8 @@ class Composition {
   void draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture);
 
  private:
-  /// Sets still_ to what it is at `frame`.
+  /// Sets withInsets_ and still_ to what they are at `frame`.
   void setStill(std::int64_t frame);
-  void drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
-                  image::Image& picture);
 
   const timeline::ClipMotion* motion_;
   overlay::CaptionAndClock captionAndClock_;
@@ -67,6 +65,7 @@ class Composition {
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
   image::Image background_;  // of all bodies, and between panels
+  image::Image withInsets_;  // The same with what is still in the overlays' insets.
   image::Image still_;       // The same with the caption; marked. Empty at first.
 };
 

@@ -79,6 +79,8 @@ class Image {
   /// Begins to draw the picture anew over `ground`, to be there until settle(): from now on touch()
   /// copies it to the tiles that it touches. The picture becomes of its size and format.
   void beginOn(const Image& ground);
+  /// Replaces the ground by one that shows the same where nothing was touched, and more above it.
+  void goOnOver(const Image& ground) { ground_ = &ground; }
   /// Says that an area, which may be partly outside, is about to be drawn over.
   void touch(const Area& area);
   /// Lets all tiles that weren't touched since beginOn() show what `rest` does, which has marks.
@@ -86,12 +88,13 @@ class Image {
   /// Gives each tile a mark that no other has.
   void mark();
   /// Calls each(Area) for tiles that were touched since beginOn() and meet `area`; those beside
-  /// each other are one.
+  /// each other are one. In a picture without marks all were.
   template <typename Each>
   void forEachTouched(const Area& area, const Each& each) const {
     Tiles(width_, height_)
         .forEachRun(
-            area, [this](std::size_t tile) { return marks_[tile] == own_; }, each);
+            area, [this](std::size_t tile) { return marks_.empty() || marks_[tile] == own_; },
+            each);
   }
 
   /// Returns whether both show the same.

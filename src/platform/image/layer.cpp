@@ -56,15 +56,11 @@ void blendByBase(const std::uint8_t* over, std::uint8_t* under, int count) {
   blendOpaqueRow(over, under, count);
 }
 
-#ifdef __x86_64__
-[[gnu::target("avx2")]] void blendByAvx2(const std::uint8_t* over, std::uint8_t* under, int count) {
+ROTATEBOOK_AVX2 void blendByAvx2(const std::uint8_t* over, std::uint8_t* under, int count) {
   blendOpaqueRow(over, under, count);
 }
 
 const auto blendRowOverOpaque = usesAvx2() ? &blendByAvx2 : &blendByBase;
-#else
-constexpr auto blendRowOverOpaque = &blendByBase;
-#endif
 
 /// Blends a pixel over one with straight alpha: both colours are weighted by their share of the
 /// sum.
@@ -176,10 +172,10 @@ void blendWithin(const Area& area, const LayerView& layer, Image& picture) {
   blendPart(part, layer, picture);
 }
 
-void blendOverTouched(const Layer& layer, Image& picture) {
-  const Area whole{layer.x, layer.y, layer.width, layer.height};
+void blendOverTouched(const Area& area, const LayerView& layer, Image& picture) {
+  const Area whole = common({layer.x, layer.y, layer.width, layer.height}, area);
   picture.forEachTouched(
-      whole, [&](const Area& tiles) { blendPart(common(whole, tiles), viewOf(layer), picture); });
+      whole, [&](const Area& tiles) { blendPart(common(whole, tiles), layer, picture); });
 }
 
 }  // namespace rotatebook::image

@@ -37,7 +37,7 @@ inline void blend(const Layer& layer, Image& picture) {
 }
 /// Blends `layer` likewise, cropped to an area of the picture.
 void blendWithin(const Area& area, const LayerView& layer, Image& picture);
-/// Blends `layer` over those tiles alone that were touched since Image::beginOn().
-void blendOverTouched(const Layer& layer, Image& picture);
+/// Blends `layer` likewise, over those tiles alone that were touched since Image::beginOn().
+void blendOverTouched(const Area& area, const LayerView& layer, Image& picture);
 
 }  // namespace rotatebook::image

@@ -40,11 +40,9 @@ void subtractColoursByBase(const std::uint8_t* row, int pixels, std::uint8_t* ou
   }
 }
 
-#ifdef __x86_64__
 using FourPixels [[gnu::vector_size(16)]] = std::uint8_t;
 
-[[gnu::target("avx2")]] void subtractColoursByAvx2(const std::uint8_t* row, int pixels,
-                                                   std::uint8_t* out) {
+ROTATEBOOK_AVX2 void subtractColoursByAvx2(const std::uint8_t* row, int pixels, std::uint8_t* out) {
   int x = 0;
   for (; x + 4 <= pixels; x += 4, row += 16, out += 12) {
     FourPixels four, left;
@@ -59,9 +57,6 @@ using FourPixels [[gnu::vector_size(16)]] = std::uint8_t;
 }
 
 const auto subtractColours = usesAvx2() ? &subtractColoursByAvx2 : &subtractColoursByBase;
-#else
-constexpr auto subtractColours = &subtractColoursByBase;
-#endif
 
 void subtract(const std::uint8_t* row, std::size_t bytes, std::size_t pixel, std::uint8_t* out) {
   for (std::size_t i = 0; i < bytes; ++i)

@@ -128,12 +128,14 @@ struct Canvas::Parts {
     cairo_fill(cairo.get());
   }
 
-  /// Blends a layer over the canvas's place in a picture.
-  void blendOver(LayerView layer, image::Image& picture) const {
+  /// Returns where a layer is in a picture.
+  LayerView placed(LayerView layer) const {
     layer.x += place.x;
     layer.y += place.y;
-    blendWithin(place, layer, picture);
+    return layer;
   }
+
+  void note(const std::vector<Box>& more) { texts.insert(texts.end(), more.begin(), more.end()); }
 
   image::Area place;  // In the picture.
   int width = 0, height = 0;
@@ -225,18 +227,25 @@ void Canvas::paint(const Layer& layer, const Point& position) {
 
 void Canvas::layOver(image::Image& picture) {
   cairo_surface_flush(parts_->surface.get());
-  for (const Box& box : parts_->touched) parts_->blendOver(parts_->view(box), picture);
+  for (const Box& box : parts_->touched)
+    blendWithin(parts_->place, parts_->placed(parts_->view(box)), picture);
   parts_->clear();
 }
 
 void Canvas::lay(const LayerView& layer, image::Image& picture) {
   if (!parts_->touched.empty()) layOver(picture);
-  parts_->blendOver(layer, picture);
+  blendWithin(parts_->place, parts_->placed(layer), picture);
 }
 
 void Canvas::lay(const CachedLayer& cached, image::Image& picture) {
   lay(viewOf(cached.layer), picture);
-  parts_->texts.insert(parts_->texts.end(), cached.texts.begin(), cached.texts.end());
+  parts_->note(cached.texts);
+}
+
+void Canvas::layStill(const CachedLayer& cached, image::Image& picture) {
+  if (!parts_->touched.empty()) layOver(picture);
+  blendOverTouched(parts_->place, parts_->placed(viewOf(cached.layer)), picture);
+  parts_->note(cached.texts);
 }
 
 CachedLayer Canvas::take() {

@@ -346,13 +346,8 @@ bool CaptionAndClock::setCaption(std::int64_t frame) {
 }
 
 void CaptionAndClock::drawCaption(image::Image& picture) {
-  blend(parts_->background, picture);
-  blend(parts_->caption.layer, picture);
-}
-
-void CaptionAndClock::drawCaptionOverTouched(image::Image& picture) {
-  blendOverTouched(parts_->background, picture);
-  blendOverTouched(parts_->caption.layer, picture);
+  for (const Layer* layer : {&parts_->background, &parts_->caption.layer})
+    blendOverTouched(picture.area(), viewOf(*layer), picture);
 }
 
 void CaptionAndClock::drawClock(std::int64_t clockFrame, image::Image& picture) {

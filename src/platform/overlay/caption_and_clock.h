@@ -44,10 +44,8 @@ class CaptionAndClock {
   // The steps of draw().
   /// Sets the caption to that of `frame`; returns whether it was another one, or none.
   bool setCaption(std::int64_t frame);
-  /// Draws all but the clock over `picture`.
+  /// Draws all but the clock over the tiles of `picture` that were touched since Image::beginOn().
   void drawCaption(image::Image& picture);
-  /// Likewise over the tiles that were touched since Image::beginOn().
-  void drawCaptionOverTouched(image::Image& picture);
   void drawClock(std::int64_t clockFrame, image::Image& picture);
 
   /// Returns a box for each text that was drawn since setCaption(). [pixels]

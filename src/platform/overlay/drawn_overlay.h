@@ -11,6 +11,7 @@
 #include "overlay/arrow_labels.h"
 #include "overlay/box.h"
 #include "overlay/canvas.h"
+#include "overlay/layer.h"
 #include "overlay/palette.h"
 #include "overlay/projector.h"
 #include "overlay/text.h"
@@ -61,6 +62,8 @@ class DrawnOverlay {
   virtual ~DrawnOverlay() = default;
 
   virtual void draw(const View& view) = 0;
+  /// Returns what is below all that draw() draws, and the same in many frames; null if nothing is.
+  virtual const CachedLayer* still(std::int64_t /*frame*/) const { return nullptr; }
   /// Returns the area that it takes, if it is at scene::Placement::TopLeft; else empty. [pixels]
   virtual Box box() const { return {}; }
   /// Returns the arrows that draw() draws for `sample`, which is in the camera's frame of

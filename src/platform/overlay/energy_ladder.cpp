@@ -26,6 +26,7 @@ constexpr double kLadderShare = 0.42;  // of the box's width
 class DrawnLadder final : public DrawnOverlay {
  public:
   DrawnLadder(const OverlayContext& context, const Box& box);
+  const CachedLayer* still(std::int64_t) const override { return &background_; }
   void draw(const View& view) override;
 
  private:
@@ -161,7 +162,6 @@ void DrawnLadder::writeMargin(Canvas& canvas, double energy) {
 }
 
 void DrawnLadder::draw(const View& view) {
-  view.canvas.lay(background_, view.picture);
   const Scale& scale = context_.scale;
   const physics::Sample& sample = context_.trajectory.samples[static_cast<std::size_t>(view.frame)];
   const Eigen::Vector3d momentum = physics::momentumAlong(inertia_, sample);

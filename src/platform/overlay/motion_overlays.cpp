@@ -136,22 +136,36 @@ struct MotionOverlays::Parts {
     }
   }
 
-  void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture) {
-    const std::int64_t last = static_cast<std::int64_t>(trajectory.samples.size()) - 1;
-    const bool ended = frame > last;
-    frame = std::min(frame, last);
-    const physics::Sample sample = sampleAt(frame);
-    const View view{frame,  sample,  Projector(clipFromWorld, scale.width, scale.height),
-                    canvas, picture, ended};
-    canvas.forgetTexts();
-    for (const auto& overlay : inWorld) overlay->draw(view);
+  std::int64_t last() const { return static_cast<std::int64_t>(trajectory.samples.size()) - 1; }
+
+  /// Calls draw(view) of a frame.
+  template <typename Draw>
+  void withView(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture,
+                const Draw& draw) {
+    const std::int64_t shown = std::min(frame, last());
+    const physics::Sample sample = sampleAt(shown);
+    draw(View{shown, sample, Projector(clipFromWorld, scale.width, scale.height), canvas, picture,
+              frame > last()});
+  }
+
+  void drawInsets(const View& view, const Eigen::Matrix4d& clipFromWorld) {
     for (const auto& overlay : insets) overlay->draw(view);
-    if (ended && notice) canvas.lay(*notice, picture);
+    if (view.ended && notice) canvas.lay(*notice, view.picture);
     if (!scene.textless) {
-      placeLetters(frame, ended, clipFromWorld);
+      placeLetters(view.frame, view.ended, clipFromWorld);
       labels.write(canvas);
     }
-    canvas.layOver(picture);
+    canvas.layOver(view.picture);
+  }
+
+  /// Returns what the insets show in many frames.
+  std::vector<const CachedLayer*> stillAt(std::int64_t frame) const {
+    std::vector<const CachedLayer*> layers;
+    for (const auto& overlay : insets) {
+      if (const CachedLayer* layer = overlay->still(std::min(frame, last())))
+        layers.push_back(layer);
+    }
+    return layers;
   }
 
   /// Places letters of a frame of the motion, or of one after it has `ended`, beside the notice.
@@ -201,6 +215,7 @@ struct MotionOverlays::Parts {
   std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and around the body, in drawing order
   std::vector<std::unique_ptr<DrawnOverlay>> insets;   // drawn above them
   std::vector<Overlay> leftOut;                        // without room
+  std::vector<const CachedLayer*> still;               // of the insets, see stillAt()
 };
 
 MotionOverlays::MotionOverlays(const scene::Scene& scene, const physics::Trajectory& trajectory,
@@ -220,7 +235,34 @@ const std::vector<Overlay>& MotionOverlays::leftOut() const {
 
 void MotionOverlays::draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
                           image::Image& picture) {
-  parts_->draw(frame, clipFromWorld, picture);
+  setStill(frame);
+  drawAroundBody(frame, clipFromWorld, picture);
+  drawStill(picture);
+  drawInsets(frame, clipFromWorld, picture);
+}
+
+bool MotionOverlays::setStill(std::int64_t frame) {
+  std::vector<const CachedLayer*> still = parts_->stillAt(frame);
+  std::swap(still, parts_->still);
+  return still != parts_->still;
+}
+
+void MotionOverlays::drawAroundBody(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                                    image::Image& picture) {
+  parts_->canvas.forgetTexts();
+  parts_->withView(frame, clipFromWorld, picture, [this](const View& view) {
+    for (const auto& overlay : parts_->inWorld) overlay->draw(view);
+  });
+}
+
+void MotionOverlays::drawStill(image::Image& picture) {
+  for (const CachedLayer* layer : parts_->still) parts_->canvas.layStill(*layer, picture);
+}
+
+void MotionOverlays::drawInsets(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                                image::Image& picture) {
+  parts_->withView(frame, clipFromWorld, picture,
+                   [&](const View& view) { parts_->drawInsets(view, clipFromWorld); });
 }
 
 const std::vector<Box>& MotionOverlays::texts() const {

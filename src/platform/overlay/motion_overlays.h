@@ -18,8 +18,8 @@ class ArrowLabels;
 
 /// The picture on which a motion's overlays are drawn: a whole one, or a panel's.
 struct Viewport {
-  int width = 0;     ///< > 0 [pixels]
-  int height = 0;    ///< > 0 [pixels]
+  int width = 0;   ///< > 0 [pixels]
+  int height = 0;  ///< > 0 [pixels]
   /// The box of other text at its top left corner, see CaptionAndClock::corner(). [pixels]
   Box corner{};
   int bottomRows = 0;  ///< Rows at its bottom that other text takes. [pixels]
@@ -60,6 +60,17 @@ class MotionOverlays {
   /// Draws over the viewport in `picture`, which shows frame `frame` >= 0 in the camera's frame of
   /// reference. `clipFromWorld` is its projection, y down.
   void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture);
+
+  // The steps of draw().
+  /// Sets what insets show in many frames to that of `frame`; returns whether it was another.
+  bool setStill(std::int64_t frame);
+  /// Draws what is on and around the body.
+  void drawAroundBody(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                      image::Image& picture);
+  /// Draws what setStill() has set over those tiles that were touched since Image::beginOn().
+  void drawStill(image::Image& picture);
+  /// Draws the rest of the insets, and letters.
+  void drawInsets(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture);
 
   /// Returns a box for each text that the last draw() drew. [pixels]
   const std::vector<Box>& texts() const;

@@ -142,8 +142,8 @@ class FreePolhode {
 
   std::size_t start() const { return start_; }
 
-  void draw(const View& view) {
-    view.canvas.lay(background_, view.picture);
+  const CachedLayer& still() const { return background_; }
+  void draw(const View& view) const {
     const Scale& scale = context_.scale;
     const auto length = context_.scene.clip.frameRate.framesIn(kPolhodeTrailTime);
     std::vector<Point> trail;
@@ -314,13 +314,15 @@ class PolhodeInset final : public DrawnOverlay {
       insets_.emplace_back(context, box, inertia, start);
   }
 
-  void draw(const View& view) override {
-    const auto frame = static_cast<std::size_t>(view.frame);
-    const auto after = std::ranges::upper_bound(insets_, frame, {}, &FreePolhode::start);
-    (after - 1)->draw(view);
-  }
+  const CachedLayer* still(std::int64_t frame) const override { return &at(frame).still(); }
+  void draw(const View& view) override { at(view.frame).draw(view); }
 
  private:
+  const FreePolhode& at(std::int64_t frame) const {
+    const auto number = static_cast<std::size_t>(frame);
+    return *(std::ranges::upper_bound(insets_, number, {}, &FreePolhode::start) - 1);
+  }
+
   std::vector<FreePolhode> insets_;
 };
 

@@ -133,8 +133,8 @@ class StripChart final : public DrawnOverlay {
         background_(background()),
         curves_(curves()) {}
 
+  const CachedLayer* still(std::int64_t) const override { return &background_; }
   void draw(const View& view) override {
-    view.canvas.lay(background_, view.picture);
     const double now = positionOf(view.frame, content_.low).x();
     LayerView past = viewOf(curves_.layer);
     past.width = std::clamp(static_cast<int>(std::ceil(now)) - past.x, 0, past.width);

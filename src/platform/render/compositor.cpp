@@ -49,34 +49,22 @@ constexpr int kAtOnce = 16;  // Pixels that are compared; as a rule none of them
   return block;
 }
 
-/// Both for one kind of processor.
-struct RowCode {
-  void (*copyDrawn)(const std::uint8_t* from, int count, std::uint8_t* to);
-  int (*firstChange)(const std::uint8_t* here, const std::uint8_t* below, int count);
-};
-
 void copyDrawnByBase(const std::uint8_t* from, int count, std::uint8_t* to) {
   copyDrawn(from, count, to);
 }
+ROTATEBOOK_AVX2 void copyDrawnByAvx2(const std::uint8_t* from, int count, std::uint8_t* to) {
+  copyDrawn(from, count, to);
+}
+const auto copyRowDrawn = image::usesAvx2() ? &copyDrawnByAvx2 : &copyDrawnByBase;
+
 int firstChangeByBase(const std::uint8_t* here, const std::uint8_t* below, int count) {
   return firstChange(here, below, count);
 }
-constexpr RowCode kBase{&copyDrawnByBase, &firstChangeByBase};
-
-#ifdef __x86_64__
-[[gnu::target("avx2")]] void copyDrawnByAvx2(const std::uint8_t* from, int count,
-                                             std::uint8_t* to) {
-  copyDrawn(from, count, to);
-}
-[[gnu::target("avx2")]] int firstChangeByAvx2(const std::uint8_t* here, const std::uint8_t* below,
-                                              int count) {
+ROTATEBOOK_AVX2 int firstChangeByAvx2(const std::uint8_t* here, const std::uint8_t* below,
+                                      int count) {
   return firstChange(here, below, count);
 }
-
-const RowCode rowCode = image::usesAvx2() ? RowCode{&copyDrawnByAvx2, &firstChangeByAvx2} : kBase;
-#else
-constexpr RowCode rowCode = kBase;
-#endif
+const auto firstChangeInRow = image::usesAvx2() ? &firstChangeByAvx2 : &firstChangeByBase;
 
 /// A part of a row of pixels, and the row that it is compared with.
 struct RowPart {
@@ -94,7 +82,7 @@ void addMeetings(const image::Image& drawn, const RowPart& part, const AlikeSurf
   const int last = part.right - 1;
   for (int x = part.left; x < last; x += kAtOnce) {
     const int blocks = (last - x) / kAtOnce;
-    x += kAtOnce * rowCode.firstChange(at(part.y, x), at(part.next, x), blocks);
+    x += kAtOnce * firstChangeInRow(at(part.y, x), at(part.next, x), blocks);
     const int count = std::min(kAtOnce, last - x);
     const std::uint8_t *here = at(part.y, x), *below = at(part.next, x);
     for (int i = 0; i < count; ++i, here += 4, below += 4) {
@@ -188,7 +176,7 @@ void Compositor::copyDrawn(const DrawnBody& body, const image::Pixels& picture) 
     const auto& [x, top, width, height] = body.bands[band];
     const std::ptrdiff_t left = 4 * static_cast<std::ptrdiff_t>(x);
     for (int y = top; y < top + height; ++y) {
-      rowCode.copyDrawn(body.pixels.row(y) + left, width, picture.row(y) + left);
+      copyRowDrawn(body.pixels.row(y) + left, width, picture.row(y) + left);
       addMeetings(body, band, y, alike_, edgePixels_);
     }
   }

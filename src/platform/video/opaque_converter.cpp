@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "image/tiles.h"
-#include "image/wide_vectors.h"
 
 namespace rotatebook::video {
 namespace {
@@ -166,11 +165,6 @@ void mix(const std::array<const std::int16_t*, 4>&, int, std::uint8_t*) {}
 #endif
 
 }  // namespace
-
-bool OpaqueConverter::isHere() {
-  static const bool here = image::usesAvx2();
-  return here;
-}
 
 OpaqueConverter::OpaqueConverter(int width)
     : size_(static_cast<std::size_t>(width) + kOverrun),

@@ -12,12 +12,9 @@
 namespace rotatebook::video {
 
 /// Converts sRGB pictures of one size to yuv420p, with every bit as PixelConverter's swscale does,
-/// in a fifth of its time.
+/// in a fifth of its time. Only where image::usesAvx2().
 class OpaqueConverter {
  public:
-  /// Returns whether this processor has what it takes.
-  static bool isHere();
-
   /// Converts pictures of even `width`, at least kSmallestSide. [pixels]
   explicit OpaqueConverter(int width);
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "image/wide_vectors.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -75,7 +77,7 @@ PixelConverter::PixelConverter(int width, int height, bool transparent)
 
 PixelConverter::PixelConverter(int width, int height, bool transparent, AVPixelFormat target)
     : transparent_(transparent), frame_(makeTaggedFrame(width, height, target)) {
-  if (target == AV_PIX_FMT_YUV420P && OpaqueConverter::isHere()) opaque_.emplace(width);
+  if (target == AV_PIX_FMT_YUV420P && image::usesAvx2()) opaque_.emplace(width);
 }
 
 void PixelConverter::send(image::ImageView picture, std::int64_t number) {

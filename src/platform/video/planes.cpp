@@ -154,7 +154,7 @@ Planes planesToEncode(image::ImageView picture, bool transparent) {
   const float error = std::max(
       {farthest(planes.y, exact.y), farthest(planes.u, exact.u), farthest(planes.v, exact.v)});
   if (error <= kRounding) return planes;
-  throw MachineError("FFmpeg's libswscale converts a colour " + shortestText(error) +
+  throw MachineError("a colour is converted " + shortestText(error) +
                      " of 255 away from what BT.709 says");
 }
 

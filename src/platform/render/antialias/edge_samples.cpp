@@ -296,19 +296,15 @@ void rasteriseByBase(const Rasterised& triangle, const EdgePixels& pixels, Pixel
   rasteriseBy<Four, FourNumbers>(triangle, pixels, samples);
 }
 
-#ifdef __x86_64__
 using Eight [[gnu::vector_size(8 * sizeof(float))]] = float;
 using EightNumbers [[gnu::vector_size(8 * sizeof(float))]] = std::int32_t;
 
-[[gnu::target("avx2")]] void rasteriseByAvx2(const Rasterised& triangle, const EdgePixels& pixels,
-                                             PixelSamples* samples) {
+ROTATEBOOK_AVX2 void rasteriseByAvx2(const Rasterised& triangle, const EdgePixels& pixels,
+                                     PixelSamples* samples) {
   rasteriseBy<Eight, EightNumbers>(triangle, pixels, samples);
 }
 
 const auto rasteriseAll = image::usesAvx2() ? &rasteriseByAvx2 : &rasteriseByBase;
-#else
-constexpr auto rasteriseAll = &rasteriseByBase;
-#endif
 
 }  // namespace
 

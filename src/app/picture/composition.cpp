@@ -147,13 +147,20 @@ std::vector<scene::Overlay> Composition::leftOut() const {
 }
 
 void Composition::setBackground(const image::Image& ofBody) {
-  for (const auto& [x, y] : grid_.positions) image::paste(ofBody.view(), x, y, background_);
+  const bool isOnly =
+      ofBody.width() == background_.width() && ofBody.height() == background_.height();
+  if (isOnly) {
+    ofOnlyBody_ = &ofBody;
+    background_ = {};
+  } else {
+    for (const auto& [x, y] : grid_.positions) image::paste(ofBody.view(), x, y, background_);
+  }
   still_ = {};
 }
 
 void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {
   setStill(frame);
-  picture.beginOn(background_);
+  picture.beginOn(ground());
   std::vector<Eigen::Matrix4d> projections;
   for (std::size_t i = 0; i < overlays_.size(); ++i) {
     projections.push_back(drawBody(i, motion_->sampleAt(i, frame), grid_.positions[i], picture));
@@ -173,7 +180,7 @@ void Composition::setStill(std::int64_t frame) {
   bool isOther = captionAndClock_.setCaption(frame) || still_.width() == 0;
   for (overlay::MotionOverlays& one : overlays_) isOther = one.setStill(frame) || isOther;
   if (!isOther) return;
-  withInsets_ = background_;
+  withInsets_ = ground();
   for (overlay::MotionOverlays& one : overlays_) one.drawStill(withInsets_);
   still_ = withInsets_;
   captionAndClock_.drawCaption(still_);

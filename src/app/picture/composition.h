@@ -46,14 +46,18 @@ class Composition {
   std::vector<scene::Overlay> leftOut() const;
   /// Returns overlay::CaptionAndClock::longCues().
   const std::vector<std::size_t>& longCues() const { return captionAndClock_.longCues(); }
-  /// Sets the background of bodies, a picture of screen()'s size; black before.
+  /// Sets the background of bodies, a picture of screen()'s size that must outlive this.
   void setBackground(const image::Image& ofBody);
-  /// Returns a picture of the clip's size with the background.
-  image::Image makePicture() const { return background_; }
+  /// Returns a picture of the clip's size and format.
+  image::Image makePicture() const {
+    return {ground().width(), ground().height(), ground().format()};
+  }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture);
 
  private:
+  /// Returns the background of all bodies, and what is between panels.
+  const image::Image& ground() const { return ofOnlyBody_ ? *ofOnlyBody_ : background_; }
   /// Sets withInsets_ and still_ to what they are at `frame`.
   void setStill(std::int64_t frame);
 
@@ -64,8 +68,9 @@ class Composition {
   plot::PanelGrid grid_;                           // of the bodies' pictures
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
-  image::Image background_;  // of all bodies, and between panels
-  image::Image withInsets_;  // The same with what is still in the overlays' insets.
+  const image::Image* ofOnlyBody_ = nullptr;  // Replaces the next.
+  image::Image background_;
+  image::Image withInsets_;  // ground() with what is still in the overlays' insets.
   image::Image still_;       // The same with the caption; marked. Empty at first.
 };
 

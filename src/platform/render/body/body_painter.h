@@ -16,8 +16,8 @@ namespace rotatebook::render {
 struct PlacedBody {
   const DrawnBody* drawn = nullptr;
   Eigen::Vector3d eye;  ///< The camera's position, world. [m]
-  geometry::PixelRect
-      picture;  ///< The place of its picture, outside which nothing is drawn. [pixels]
+  /// The place of its picture, outside which nothing is drawn. [pixels]
+  geometry::PixelRect picture;
 };
 
 /// Draws bodies, several part by part: OpenGL takes long to change a texture or a program.

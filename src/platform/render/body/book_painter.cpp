@@ -43,7 +43,8 @@ void BookPainter::draw(std::span<const PlacedBody> bodies) const {
 }
 
 void BookPainter::drawTest(const PlacedBody& body) const {
-  const Texture pattern(testPattern().view(), kRepeated);
+  // With gold, too
+  const Texture pattern(withGold(testPattern()).view(), kRepeated, TextureContent::ColourAndNumber);
   drawParts({&body, 1}, {pattern, pattern, pattern, pattern, Eigen::Vector3f::Zero()});
 }
 

@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "image/comparison.h"
+#include "image/marked_tiles.h"
 #include "pipeline/small_clip.h"
+#include "scene/shipped_scene.h"
 
 namespace rotatebook::picture {
 namespace {
@@ -58,6 +60,25 @@ TEST(FrameDrawer, DrawsTheSameOverAnyPicture) {
       drawer.draw(frame, picture);
       EXPECT_EQ(picture, drawnFrame(scene, frame)) << more << ", frame " << frame;
     }
+  }
+}
+
+// Of clips with cues, panels, paths, and a body that deforms.
+TEST(FrameDrawer, MarksTilesAsTheSameThatAreTheSame) {
+  for (const char* name :
+       {"slow-motion", "comparisons/axes", "bodies/earth", "figures/figh-rolling",
+        "figures/fig06-undamped", "comparisons/tossed-book"}) {
+    const scene::Scene scene = scene::shippedScene(name, {"clip.size=[480, 270]", "clip.fps=2"});
+    const timeline::ClipMotion motion = timeline::simulateScene(scene);
+    FrameDrawer drawer(scene, motion);
+    image::testing::MarkedTiles tiles;
+    std::array<image::Image, 2> pictures;
+    for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
+      image::Image& picture = pictures[static_cast<std::size_t>(frame % 2)];
+      drawer.draw(frame, picture);
+      EXPECT_TRUE(tiles.agreeWith(picture)) << name << ", frame " << frame;
+    }
+    EXPECT_GT(tiles.known(), 1000U) << name;
   }
 }
 

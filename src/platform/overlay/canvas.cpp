@@ -243,7 +243,6 @@ void Canvas::lay(const CachedLayer& cached, image::Image& picture) {
 }
 
 void Canvas::layStill(const CachedLayer& cached, image::Image& picture) {
-  if (!parts_->touched.empty()) layOver(picture);
   blendOverTouched(parts_->place, parts_->placed(viewOf(cached.layer)), picture);
   parts_->note(cached.texts);
 }

@@ -253,6 +253,8 @@ void MotionOverlays::drawAroundBody(std::int64_t frame, const Eigen::Matrix4d& c
   parts_->withView(frame, clipFromWorld, picture, [this](const View& view) {
     for (const auto& overlay : parts_->inWorld) overlay->draw(view);
   });
+  // Tiles that it touches may be another panel's, too, whose insets are drawn over what is touched
+  if (!parts_->still.empty()) parts_->canvas.layOver(picture);
 }
 
 void MotionOverlays::drawStill(image::Image& picture) {

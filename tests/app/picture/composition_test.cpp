@@ -49,7 +49,8 @@ void makeGrey(image::Image& picture) {
   }
 }
 
-image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+/// Draws a frame over grey; with `touching`, bodies say that they touch all of the picture.
+image::Image drawn(const scene::Scene& scene, std::int64_t frame, bool touching = false) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   Composition composition(scene, motion);
   const geometry::Camera camera = timeline::cameraOf(scene, composition.screen());
@@ -59,7 +60,8 @@ image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   makeGrey(grey);
   composition.setBackground(grey);
   const auto drawBody = [&](std::size_t i, std::size_t sample, const plot::PanelGrid::Position&,
-                            image::Image&) {
+                            image::Image& into) {
+    if (touching) into.touch(into.area());
     const body::Cage& corners = motion.trajectories()[i].samples[sample].cage;
     return geometry::project(camera, corners, composition.screen()).clipFromWorld;
   };
@@ -95,6 +97,18 @@ TEST(ComparisonGolden, IsNotMatchedByOtherLabelsOrPanels) {
       isMatchedBy(drawn(comparison({"panel.1.simulation.model=exact", "panel.1.label=exact",
                                     "panel.3.label=matrix", "panel.3.simulation.model=matrix"}),
                         kFrame)));
+}
+
+// Of three panels: the arrow of the second begins in a tile that the first one's polhode has, too.
+TEST(Composition, DrawsTheSameWhateverIsTouched) {
+  const scene::Scene scene = scene::parseScene(
+      "[initial]\nangular_velocity = [-5, -2, 0.02]\n[clip]\nsize = [1062, 402]\nduration = 0.2\n"
+      "[camera]\nposition = [0, 0, 0.35]\n[overlay]\nshow = ['polhode', 'omega', 'energy']\n"
+      "[[panel]]\nlabel = 'one'\n"
+      "[[panel]]\nlabel = 'two'\ninitial.angular_velocity = [-5, 4, 1]\n"
+      "[[panel]]\nlabel = 'three'\n",
+      "three.toml");
+  EXPECT_EQ(drawn(scene, 4), drawn(scene, 4, true));
 }
 
 /// The left panel of two with charts of the energy; the right one's motion is stepped as told.

@@ -66,7 +66,7 @@ class Canvas {
   /// Lays the drawing, and a layer above it, over its place in `picture`.
   void lay(const LayerView& layer, image::Image& picture);
   void lay(const CachedLayer& cached, image::Image& picture);
-  /// Likewise over those tiles alone that were touched since Image::beginOn().
+  /// Lays a layer alone, over those tiles that were touched since Image::beginOn().
   void layStill(const CachedLayer& cached, image::Image& picture);
   /// Returns the drawing and its texts() as a layer, and clears the canvas.
   CachedLayer take();

@@ -64,9 +64,9 @@ void paste(const ImageView& piece, int x, int y, Image& picture) {
   assert(x + piece.width <= picture.width() && y + piece.height <= picture.height());
   picture.touch({x, y, piece.width, piece.height});
   const std::ptrdiff_t size = bytesPerPixel(piece.format);
-  for (int row = 0; row < piece.height; ++row) {
-    std::copy_n(piece.row(row), piece.width * size, picture.row(y + row) + x * size);
-  }
+  const Pixels pixels = picture.from(x, y);
+  for (int row = 0; row < piece.height; ++row)
+    std::copy_n(piece.row(row), piece.width * size, pixels.row(row));
 }
 
 }  // namespace rotatebook::image

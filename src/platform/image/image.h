@@ -47,7 +47,7 @@ struct Pixels {
 ///
 /// Pictures of a clip are alike for the most part. One that is drawn between beginOn() and settle()
 /// gets marks for its tiles (see ImageView), so that whoever takes one picture after the other can
-/// leave out what stays the same.
+/// leave out what stays the same. While it is drawn, whoever writes to it calls touch() first.
 class Image {
  public:
   Image() = default;
@@ -57,7 +57,11 @@ class Image {
   int width() const { return width_; }
   int height() const { return height_; }
   PixelFormat format() const { return format_; }
-  std::uint8_t* row(int y) { return bytes_.data() + y * stride(); }
+  /// Of a picture that is there, settle()d or not, this takes the marks: anything may be written.
+  std::uint8_t* row(int y) {
+    if (!marks_.empty() && ground_ == nullptr) marks_.clear();
+    return bytes_.data() + y * stride();
+  }
   const std::uint8_t* row(int y) const { return bytes_.data() + y * stride(); }
   std::ptrdiff_t stride() const {
     return static_cast<std::ptrdiff_t>(width_) * bytesPerPixel(format_);
@@ -73,7 +77,8 @@ class Image {
   Area area() const { return {0, 0, width_, height_}; }
   /// Returns the pixels from (x, y) on. touch() them before they are written.
   Pixels from(int x, int y) {
-    return {row(y) + static_cast<std::ptrdiff_t>(x) * bytesPerPixel(format_), stride()};
+    return {bytes_.data() + y * stride() + static_cast<std::ptrdiff_t>(x) * bytesPerPixel(format_),
+            stride()};
   }
 
   /// Begins to draw the picture anew over `ground`, to be there until settle(): from now on touch()

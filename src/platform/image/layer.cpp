@@ -142,10 +142,10 @@ void blendPart(const Area& part, const LayerView& layer, Image& picture) {
   const int size = bytesPerPixel(picture.format());
   const auto blendRow = size == 4 ? &blendRowOverRgba : &blendRowOverRgb;
   const std::ptrdiff_t left = part.x - layer.x;
-  for (int y = part.y; y < part.bottom(); ++y) {
-    blendRuns(layer.pixels + (y - layer.y) * layer.stride + left * 4,
-              picture.row(y) + static_cast<std::ptrdiff_t>(part.x) * size, part.width, size,
-              blendRow);
+  const Pixels under = picture.from(part.x, part.y);
+  for (int y = 0; y < part.height; ++y) {
+    blendRuns(layer.pixels + (part.y + y - layer.y) * layer.stride + left * 4, under.row(y),
+              part.width, size, blendRow);
   }
 }
 

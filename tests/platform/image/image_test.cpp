@@ -84,6 +84,14 @@ TEST(Image, HasNoMarksUnlessItIsDrawnOverAGround) {
   EXPECT_EQ(picture.view().marks, nullptr);
 }
 
+TEST(Image, LosesItsMarksWhereItsRowsMayBeWritten) {
+  testing::MovingPicture moving(200, 50);
+  Image picture = moving.with({5, 3, 20, 9});
+  EXPECT_NE(picture.view().marks, nullptr);
+  picture.row(7)[3] = 77;
+  EXPECT_EQ(picture.view().marks, nullptr);
+}
+
 TEST(ImageView, SeesWhatTheImageHolds) {
   Image picture(2, 2, PixelFormat::Rgb8);
   picture.row(1)[3] = 77;

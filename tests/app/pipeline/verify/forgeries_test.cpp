@@ -78,7 +78,6 @@ class ForgedClips {
     video::VideoWriter writer(format, path, settings);
     for (const image::Image& picture : pictures_) {
       image::Image forged = picture;
-      forged.touch(forged.area());
       forgery.apply(forged);
       writer.write(forged.view());
     }

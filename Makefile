@@ -139,11 +139,11 @@ gallery: program
 	@scripts/setup.sh play
 	scripts/pictures.sh $(PROGRAM)
 
-# Two more at a time than there are processors: the browser's test and the cluster's wait for most of their time.
+# One more at a time than there are processors: the browser's test and the cluster's wait for most of their time.
 test: build
 	@scripts/setup.sh page || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
-	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(($$(nproc) + 2)); status=$$?; \
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(($$(nproc) + 1)); status=$$?; \
 	  awk '/ Testing: / {test = $$3} /: Skipped$$/ {getline; print "skipped: " test ": " $$0}' \
 	  $(BUILD)/Testing/Temporary/LastTest.log; exit $$status
 
